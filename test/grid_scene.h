@@ -6,7 +6,7 @@
 #include "cloud/voxel_grid.h"
 #include "scene.h"
 
-/** \brief Points drawn uniformly in a cube that is centered at the origin.
+/** \brief So many points, drawn uniformly in a cube that is centered at the origin.
  * \param[in] edge of the cube [m] */
 inline pcl_ops::internal::Coordinates
 pointsInACube (std::size_t number, double edge)

@@ -36,12 +36,12 @@ inline constexpr std::nullopt_t no_threshold = std::nullopt;
 
 /** \brief The results of the stages of detectOnPlaces up to region growing. */
 struct PlaceScene {
-  /** \param[in] neighbors number of points of a neighborhood, its place included; the
-   * default is that of a cloud of some 10,000 points */
+  /** \param[in] neighborhood_size number of points of a neighborhood, its place
+   * included; the default is that of a cloud of some 10,000 points */
   explicit PlaceScene (const pcl_ops::internal::Coordinates& points,
-                       std::size_t neighbors = 24)
+                       std::size_t neighborhood_size = 24)
   : distinct (pcl_ops::internal::distinctPlaces (points, one_thread))
-  , places (pcl_ops::internal::describePlaces (distinct, neighbors, one_thread))
+  , places (pcl_ops::internal::describePlaces (distinct, neighborhood_size, one_thread))
   , noise (pcl_ops::internal::noiseOfPlaces (places, no_whole_cloud, one_thread))
   , chosen (pcl_ops::internal::chooseSupports (places, noise, one_thread))
   , regions (pcl_ops::internal::growRegions (places, noise, chosen, no_threshold))

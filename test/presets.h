@@ -13,13 +13,14 @@
 using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief A cloud of \p size points. \p point makes a point of its index 0, 1, ... */
+/** \brief A cloud of \p size points.
+ * \param[in] pointOfIndex returns the point with an index: 0, 1, ... size - 1 */
 inline Cloud::Ptr
-cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
+cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& pointOfIndex)
 {
   const auto cloud = pcl::make_shared<Cloud>();
   for (std::size_t i = 0; i < size; ++i)
-    cloud->push_back (point (static_cast<float> (i)));
+    cloud->push_back (pointOfIndex (static_cast<float> (i)));
   return cloud;
 }
 

@@ -43,8 +43,8 @@ drawTurn (RandomGenerator& generator)
 pcl::PointXYZ
 toPoint (const Eigen::Vector3d& position)
 {
-  const Eigen::Vector3f p = position.cast<float>();
-  return {p.x(), p.y(), p.z()};
+  const Eigen::Vector3f rounded = position.cast<float>();
+  return {rounded.x(), rounded.y(), rounded.z()};
 }
 
 Eigen::Vector3d
@@ -52,8 +52,8 @@ drawPointOf (const Surface& surface, double noise, RandomGenerator& generator)
 {
   const double s = drawUnit (generator);
   const double t = drawUnit (generator);
-  const double height = noise > 0.0 ? noise * drawGaussian (generator) : 0.0;
-  return surface.at (s, t) + height * surface.normal();
+  const double offset = noise > 0.0 ? noise * drawGaussian (generator) : 0.0;
+  return surface.at (s, t) + offset * surface.normal();
 }
 
 LabelledScene
@@ -80,16 +80,19 @@ Scene::addClutter (LabelledScene& scene)
     for (const double s : {0.0, 1.0})
       for (const double t : {0.0, 1.0})
         box.extend (surface.at (s, t));
-  // clutter_ is a share of all points, those of the clutter included.
-  const long count = std::lround (clutter_ / (1.0 - clutter_) *
+  // The share is one of all points, those of the clutter included.
+  const long count = std::lround (share_of_clutter_ / (1.0 - share_of_clutter_) *
                                   static_cast<double> (scene.cloud->size()));
   for (long i = 0; i < count; ++i) {
-    Eigen::Vector3d share; // of the box, along each axis
+    Eigen::Vector3d position_in_box; // along each axis, from 0 to 1
     // From z to x: another order would give all tests other clutter.
-    for (double* coordinate : {&share.z(), &share.y(), &share.x()})
+    for (double* coordinate :
+         {&position_in_box.z(), &position_in_box.y(), &position_in_box.x()})
       *coordinate = drawUnit (generator_);
     constexpr int label_of_clutter = -1;
-    add (scene, box.min() + share.cwiseProduct (box.sizes()), label_of_clutter);
+    add (scene,
+         box.min() + position_in_box.cwiseProduct (box.sizes()),
+         label_of_clutter);
   }
 }
 
@@ -115,11 +118,13 @@ roomSeenByCamera (std::uint32_t width, std::uint32_t height)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (width, height);
   cloud->is_dense = false;
-  constexpr float height_of_camera = 1.0f;                      // above the floor [m]
-  constexpr float depth_of_wall = 3.0f;                         // [m]
-  const float focal_length = 0.8f * static_cast<float> (width); // [pixels]
+  constexpr float height_of_camera = 1.0f; // above the floor [m]
+  constexpr float depth_of_wall = 3.0f;    // [m]
+  // [pixels]; the image is 2 atan (0.5 / 0.8) = 64 degrees wide
+  const float focal_length = 0.8f * static_cast<float> (width);
   for (std::uint32_t row = 0; row < height; ++row)
     for (std::uint32_t column = 0; column < width; ++column) {
+      // The ray of the pixel goes along (x, y, 1).
       const float x = (static_cast<float> (column) - 0.5f * width) / focal_length;
       const float y = (static_cast<float> (row) - 0.5f * height) / focal_length;
       const float depth =
@@ -138,11 +143,11 @@ momentsOf (const Surface& surface, int columns, int rows, double noise)
   moments.origin = surface.center();
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j) {
-      const double height = (i + j) % 2 == 0 ? noise : -noise;
-      const Eigen::Vector3d offset =
+      const double offset = (i + j) % 2 == 0 ? noise : -noise;
+      const Eigen::Vector3d from_origin =
           surface.at ((i + 0.5) / columns, (j + 0.5) / rows) +
-          height * surface.normal() - moments.origin;
-      moments.add (offset.x(), offset.y(), offset.z());
+          offset * surface.normal() - moments.origin;
+      moments.add (from_origin.x(), from_origin.y(), from_origin.z());
     }
   return moments;
 }
@@ -157,9 +162,9 @@ planeOfPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
   plane.inliers = inliers;
   plane.moments.origin = cloud[inliers[0]].getVector3fMap().cast<double>();
   for (const pcl::index_t i : inliers) {
-    const Eigen::Vector3d p =
+    const Eigen::Vector3d from_origin =
         cloud[i].getVector3fMap().cast<double>() - plane.moments.origin;
-    plane.moments.add (p.x(), p.y(), p.z());
+    plane.moments.add (from_origin.x(), from_origin.y(), from_origin.z());
   }
   plane.centroid = plane.moments.centroid();
   return plane;
@@ -198,7 +203,8 @@ expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
     std::size_t points_found = 0;
     for (const pcl::index_t i : found->inliers)
       points_found += scene.labels[i] == label;
-    const auto points = std::count (scene.labels.begin(), scene.labels.end(), label);
-    EXPECT_GE (points_found, 0.9 * points) << "points of surface " << s;
+    const auto points_of_surface =
+        std::count (scene.labels.begin(), scene.labels.end(), label);
+    EXPECT_GE (points_found, 0.9 * points_of_surface) << "points of surface " << s;
   }
 }

@@ -25,9 +25,10 @@ using pcl_ops::internal::drawUnit;
 using pcl_ops::internal::pi;
 using pcl_ops::internal::RandomGenerator;
 
-/** \brief Number of threads of calls whose result does not depend on it. */
+/** \brief For calls whose result does not depend on the number of threads. */
 constexpr unsigned one_thread = 1;
 
+// Literals of lengths in meters, of shares, and of angles in radians.
 // clang-format off
 constexpr double operator"" _m (long double meters) { return static_cast<double> (meters); }
 constexpr double operator"" _m (unsigned long long meters) { return static_cast<double> (meters); }
@@ -58,6 +59,7 @@ drawGaussians (RandomGenerator& generator);
 Eigen::Quaterniond
 drawTurn (RandomGenerator& generator);
 
+/** \brief The position in single precision. */
 pcl::PointXYZ
 toPoint (const Eigen::Vector3d& position);
 
@@ -71,7 +73,8 @@ upTo (std::size_t number)
   return numbers;
 }
 
-/** \brief A parallelogram: corner + s first + t second with s and t in 0 .. 1. */
+/** \brief A parallelogram with a corner and two edge vectors [m]: its points are
+ * corner + s first + t second with s and t from 0 to 1. */
 struct Surface {
   Eigen::Vector3d corner, first, second;
 
@@ -85,6 +88,7 @@ struct Surface {
   {
     return at (0.5, 0.5);
   }
+  /** \brief Unit vector along the cross product of the first and the second edge. */
   Eigen::Vector3d
   normal () const
   {
@@ -155,10 +159,10 @@ public:
   Scene&
   clutter (double share)
   {
-    clutter_ = share;
+    share_of_clutter_ = share;
     return *this;
   }
-  /** \brief Moves the whole scene [m]. */
+  /** \brief Moves all surfaces and the clutter by a shift [m]. */
   Scene&
   movedBy (const Eigen::Vector3d& shift)
   {
@@ -172,6 +176,7 @@ public:
   build ();
 
 private:
+  /** \brief Adds a point, moved by the shift of the scene. */
   void
   add (LabelledScene& scene, const Eigen::Vector3d& point, int label) const
   {
@@ -185,7 +190,7 @@ private:
   std::vector<Surface> surfaces_;
   double spacing_ = 4_cm;
   double noise_ = 0.0;
-  double clutter_ = 0.0;
+  double share_of_clutter_ = 0.0;
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
 };
 
@@ -201,12 +206,14 @@ Scene
 denseRoom ();
 
 /** \brief An organized cloud of a depth camera at the origin that looks along z (y
- * down). It sees a floor at y = 1 m and a wall at z = 3 m; a tenth of the pixels is
- * NaN. */
+ * down). It sees a floor at y = 1 m and a wall at z = 3 m; a tenth of the points is
+ * NaN.
+ * \param[in] width,height of the image [pixels] */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 roomSeenByCamera (std::uint32_t width, std::uint32_t height);
 
-/** \brief Moments of columns x rows points evenly spread over a surface.
+/** \brief Moments of points evenly spread over a surface: so many columns along its
+ * first edge, and so many rows along its second edge.
  * \param[in] noise points lie by turns this far in front of the surface and behind it,
  * so this is their rms distance to it [m] */
 pcl_ops::Moments

@@ -5,11 +5,14 @@
 #include "grid_scene.h"
 #include "voxels/bounded_planes.h"
 
-// Each surface passes through the middles of 20 x 20 voxels of 10 cm. A grid of
-// grid_steps x grid_steps points on a surface has 6 x 6 points in each of these voxels.
+// The ground and the wall pass through the middles of 20 x 20 voxels of 10 cm each. A
+// grid of grid_steps x grid_steps points on them has 6 x 6 points in each voxel.
 constexpr std::size_t voxels_of_surface = 20 * 20;
 constexpr int grid_steps = 120;
 constexpr std::size_t points_of_surface = grid_steps * grid_steps;
+/** \brief The noise that the planes of a VoxelScene are said to have [m], whatever the
+ * offsets of the points. */
+constexpr double noise_of_planes = 6_mm;
 inline const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
 inline const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
@@ -43,7 +46,8 @@ struct VoxelScene {
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   }
 
-  /** \brief Makes the voxels again after points were added, all of them on plane 0. */
+  /** \brief Sorts all points into voxels, e.g. after points were added, and puts all
+   * voxels on plane 0. */
   void
   voxelize ()
   {
@@ -51,20 +55,22 @@ struct VoxelScene {
     planes.plane_of_voxel.assign (grid().size(), 0);
   }
 
-  /** \brief Adds a plane with a noise of 6 mm; no voxel is on it yet. */
+  /** \brief Adds a plane with \ref noise_of_planes; no voxel is on it yet. */
   void
   addPlane (const pcl_ops::Plane& plane)
   {
     planes.planes.push_back (plane);
-    planes.noise.push_back (6_mm);
+    planes.noise.push_back (noise_of_planes);
   }
 
+  /** \brief The voxels of 10 cm. */
   const pcl_ops::internal::VoxelGrid&
   grid () const
   {
     return voxelized.coarse;
   }
 
+  /** \brief The centroid of the points of a voxel. */
   Eigen::Vector3d
   centroid (std::size_t voxel) const
   {

@@ -15,13 +15,13 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Width of consoles in letters. */
-constexpr std::size_t help_width = 80;
+/** \brief Width of a console [letters]. */
+constexpr std::size_t console_width = 80;
 
-/** \brief Adds words to a line, with a blank in front of each, and breaks it at
- * \p width.
- * \param[in] column number of letters in front of the words of further lines; if
- * \p line is shorter, the first word stays on it */
+/** \brief Adds words to a line, with a blank in front of each, and begins a new line
+ * where one would be longer than \p width.
+ * \param[in] column number of blanks in front of the first word of a new line; a line
+ * shorter than this gets a word even if it is too long then */
 std::string
 wrapped (std::string line,
          const std::string& words,
@@ -41,7 +41,7 @@ wrapped (std::string line,
 }
 
 /** \brief Returns the help on one option or argument: its name, and from \p column
- * on its meaning. A name that reaches this column has a line of its own. */
+ * on its meaning. A name that is too long for that has a line of its own. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
@@ -53,10 +53,11 @@ entry (const std::string& name, const std::string& meaning, std::size_t column)
   }
   line.resize (column - 1, ' ');
   // A meaning leaves the last column free: some consoles begin a new line there.
-  return name_line + wrapped (line, meaning, column, help_width - 1);
+  return name_line + wrapped (line, meaning, column, console_width - 1);
 }
 
-/** \brief Returns the largest width of a name with its placeholder in a group. */
+/** \brief Returns the number of letters of the longest name with its placeholder in a
+ * group. */
 std::size_t
 nameWidth (const OptionGroup& group)
 {
@@ -67,14 +68,16 @@ nameWidth (const OptionGroup& group)
 }
 
 /** \brief Returns the help on a group: its title and an entry for each option.
- * \param[in] name_width for which there is room in front of the meanings */
+ * \param[in] name_width number of letters of names and placeholders for which there is
+ * room in front of the meanings */
 std::string
 explained (const OptionGroup& group, std::size_t name_width)
 {
-  constexpr std::size_t around = 6; // margin, dashes, and blanks around the value
+  // Two letters each for the margin, the dashes, and the blanks around the placeholder.
+  constexpr std::size_t other_letters = 6;
   constexpr std::size_t min_column = 24;
   const std::size_t column =
-      std::clamp (name_width + around, min_column, help_width / 2);
+      std::clamp (name_width + other_letters, min_column, console_width / 2);
   std::string text = "\n" + group.title + ":\n";
   for (const Option& option : group.options)
     text +=
@@ -91,7 +94,7 @@ looksLikeOption (const std::string& token)
          (token[1] == '-' || std::isalpha (static_cast<unsigned char> (token[1])) != 0);
 }
 
-/** \brief Returns the name of an option without its dashes and value; -h is help.
+/** \brief Returns the name in a token such as --name or --name=value; -h is help.
  * \param[in] token that \ref looksLikeOption */
 std::string
 nameIn (const std::string& token)
@@ -113,10 +116,11 @@ refuseFileName (const std::string& token)
                       "is no option of this program; if it is a file give ./" + token);
 }
 
-/** \brief Returns the value of an option: the text behind its =, or else the next
- * token; empty if the option takes no value.
- * \param[in,out] token that of the option; advanced if the next token is the value
- * \param[in] end behind the last token */
+/** \brief Returns the value of an option: the text after its =, or else the next token;
+ * empty if the option takes no value.
+ * \param[in,out] token pointer to the token of the option; advanced to the next token
+ * if that is the value
+ * \param[in] end pointer to after the last token */
 std::string
 takeValue (const Option& option, const char* const*& token, const char* const* end)
 {
@@ -130,9 +134,9 @@ takeValue (const Option& option, const char* const*& token, const char* const* e
     return {};
   }
   const char* const* const next = token + 1;
-  const bool is_value_behind_equals = has_equals && equals + 1 < text.size();
+  const bool is_value_after_equals = has_equals && equals + 1 < text.size();
   const bool is_value_next = !has_equals && next != end && !looksLikeOption (*next);
-  if (!is_value_behind_equals && !is_value_next)
+  if (!is_value_after_equals && !is_value_next)
     throw UsageError (name, "needs a value; see --help");
   if (has_equals)
     return text.substr (equals + 1);
@@ -140,7 +144,8 @@ takeValue (const Option& option, const char* const*& token, const char* const* e
   return *next;
 }
 
-/** \param[in] candidates the options whose names begin with \p start */
+/** \brief Refuses the start of a name that several options share.
+ * \param[in] candidates the options whose names begin with \p start */
 [[noreturn]] void
 refuseAmbiguous (const std::string& start, const std::vector<const Option*>& candidates)
 {
@@ -151,6 +156,7 @@ refuseAmbiguous (const std::string& start, const std::vector<const Option*>& can
                     "is ambiguous; write " + boost::join (names, " or ") + " in full");
 }
 
+/** \brief Refuses a name that no option has. */
 [[noreturn]] void
 refuseUnknown (const std::string& name, const std::vector<OptionGroup>& groups)
 {
@@ -186,8 +192,8 @@ findOption (const std::vector<OptionGroup>& groups, const std::string& name)
   return *candidates.front();
 }
 
-/** \brief Stores the given values into the arguments in order; each argument takes as
- * many as it can. */
+/** \brief Stores the given values in the arguments, in order; each argument takes as
+ * many values as it can. */
 void
 storeArguments (const std::vector<Argument>& arguments,
                 const std::vector<std::string>& given)
@@ -217,7 +223,7 @@ std::string
 CommandLine::usage() const
 {
   std::string names;
-  std::size_t name_width = 0; // of the arguments with help
+  std::size_t name_width = 0; // letters of the longest argument with help
   for (const Argument& argument : arguments_) {
     names += argument.name + (argument.max_count > 1 ? "... " : " ");
     if (!argument.help.empty())
@@ -231,8 +237,8 @@ CommandLine::usage() const
     indent = "       ";
   }
   text += summary_ + "\n\n" + explanation_ + (name_width > 0 ? "Arguments:\n" : "");
-  constexpr std::size_t margin = 2;
-  constexpr std::size_t gap = 3;
+  constexpr std::size_t margin = 2; // [letters]
+  constexpr std::size_t gap = 3;    // between name and meaning [letters]
   for (const Argument& argument : arguments_)
     if (!argument.help.empty())
       text += entry (argument.name, argument.help, margin + name_width + gap);
@@ -243,7 +249,7 @@ std::string
 CommandLine::help (bool is_full) const
 {
   std::size_t width = nameWidth (groups_.front());
-  if (is_full) // help2man wants two blanks in front of each meaning
+  if (is_full) // one letter more: help2man wants two blanks in front of each meaning
     for (const OptionGroup& group : groups_)
       width = std::max (width, nameWidth (group) + 1);
   std::string text = usage() + explained (groups_.front(), width);
@@ -254,7 +260,7 @@ CommandLine::help (bool is_full) const
     constexpr std::size_t margin = 2;
     text += is_full ? explained (groups_[i], width)
                     : (i == 1 ? "\n" : "") + groups_[i].title + ":\n" +
-                          wrapped (" ", names, margin, help_width);
+                          wrapped (" ", names, margin, console_width);
   }
   return text;
 }

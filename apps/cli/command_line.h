@@ -23,16 +23,20 @@ struct Argument {
   std::string name;
   /** \brief Its meaning for --help; empty: not listed there. */
   std::string help;
-  /** \brief The most values that it takes. */
+  /** \brief The largest number of values that it takes. */
   std::size_t max_count;
+  /** \brief Is called for each value. */
   StoreText store;
 };
 
+/** \brief An option of the command line; its functions are called as the option is
+ * declared. */
 struct Option {
   /** \brief Its name without dashes. */
   std::string name;
   /** \brief What stands for the value in --help; empty if the option takes none. */
   std::string placeholder;
+  /** \brief Is called with the value; with an empty text if the option takes none. */
   StoreText store;
   /** \brief Its meaning for --help. */
   std::string meaning = {};
@@ -40,6 +44,7 @@ struct Option {
   std::string old_name = {};
   bool may_be_repeated = false;
 
+  /** \brief Sets \ref meaning. */
   Option&
   help (const std::string& text)
   {
@@ -47,6 +52,7 @@ struct Option {
     return *this;
   }
 
+  /** \brief Sets \ref old_name. */
   Option&
   onceCalled (const std::string& other_name)
   {
@@ -63,7 +69,7 @@ struct Option {
   }
 };
 
-/** \brief Returns "name" of "name PLACEHOLDER". */
+/** \brief Returns the name in the usage of an option, "name" of "name PLACEHOLDER". */
 inline std::string
 nameOf (const std::string& usage)
 {
@@ -75,6 +81,7 @@ nameOf (const std::string& usage)
 void
 requireText (const std::string& subject, const std::string& text);
 
+/** \brief Options that --help shows below one title. */
 struct OptionGroup {
   std::string title;
   std::vector<Option> options = {};
@@ -150,6 +157,8 @@ public:
   Option&
   add (const std::string& usage, const StoreText& store);
 
+  /** \brief Declares an option without a value. \param[out] target true if it is given
+   */
   Option&
   add (const std::string& usage, bool& target)
   {
@@ -167,7 +176,8 @@ public:
        std::string& target,
        const std::vector<std::string>& choices);
 
-  /** \param[out] target a number, or a std::optional of a number */
+  /** \brief Declares an option that takes a number in a range.
+   * \param[out] target a number, or a std::optional of a number */
   template <typename Target>
   Option&
   add (const std::string& usage, Target& target, const Range& range)
@@ -196,6 +206,7 @@ public:
   bool
   parse (int argc, const char* const* argv);
 
+  /** \brief Whether the command line has the option with this name. */
   bool
   isGiven (const std::string& name) const
   {
@@ -215,11 +226,12 @@ public:
                         "contradicts --" + second + "; give only one of them");
   }
 
-  /** \brief The text of --help, or of --help-all. */
+  /** \brief The text of --help, or of --help-all if \p is_full. */
   std::string
   help (bool is_full = false) const;
 
 private:
+  /** \brief The type of a number, also of a number in a std::optional. */
   template <typename T>
   struct NumberOf {
     using type = T;
@@ -234,7 +246,8 @@ private:
   usage () const;
 
   std::string program_, summary_, version_, explanation_;
-  /** \brief As of \ref setUsage; empty: derived from the arguments. */
+  /** \brief The ways of calling the program, as of \ref setUsage; empty: one way,
+   * derived from the arguments. */
   std::vector<std::string> ways_;
   std::vector<Argument> arguments_;
   /** \brief The groups in the order of the help; \ref add appends to the last one. */

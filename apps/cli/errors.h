@@ -9,13 +9,14 @@
 
 namespace pcl_ops::apps {
 
-/** \brief An error that ends a program. Its message is "option or file: what is wrong;
- * what to do". */
+/** \brief An error that ends a program. Its message is "SUBJECT: what is wrong; what to
+ * do", where the subject is an option or a file. */
 struct ProgramError : std::runtime_error {
   ProgramError (const std::string& subject, std::string what_and_fix)
   : std::runtime_error (subject + ": " + what_and_fix)
   , problem (std::move (what_and_fix))
   {}
+  /** \brief The message without the subject. */
   std::string problem;
 };
 

@@ -11,7 +11,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns a number with at most ten significant digits. */
+/** \brief Returns a number as text, with up to ten significant digits. */
 std::string
 shortText (double number)
 {
@@ -55,11 +55,12 @@ parseNumber (const std::string& option,
   if (is_beyond_double || !range.contains (number))
     throw UsageError (option, text + " is out of range" + fix (range));
   if (!of_type.contains (number)) {
-    // The range of an integer type ends below 2^digits.
+    // For an integer type, of_type ends below 2^digits, one more than the largest
+    // integer.
     const double largest =
         of_type.highest_included ? of_type.highest : of_type.highest - 1.0;
-    const Range in_type = number < of_type.lowest ? range : range.upTo (largest);
-    throw UsageError (option, text + " is out of range" + fix (in_type));
+    const Range allowed = number < of_type.lowest ? range : range.upTo (largest);
+    throw UsageError (option, text + " is out of range" + fix (allowed));
   }
   if (must_be_whole && number != std::floor (number))
     throw UsageError (option, text + " is not whole" + fix (range));
@@ -83,7 +84,7 @@ parseDirection (const std::string& option, const std::string& text)
 Eigen::Vector3f
 parseUpAxis (const std::string& option, const std::string& text)
 {
-  // The y axis of an optical frame points down.
+  // The y axis of a camera's optical frame points down.
   if (text == "camera")
     return -Eigen::Vector3f::UnitY();
   return parseDirection (option, text);

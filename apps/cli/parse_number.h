@@ -19,15 +19,19 @@ namespace pcl_ops::apps {
  * above (0).upTo (1). */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
+  /** \brief Whether the bound itself is in the range; the same below. */
   bool lowest_included = false;
   double highest = std::numeric_limits<double>::infinity();
   bool highest_included = false;
 
+  /** \brief Returns the range with this upper bound, which is included. */
   Range
   upTo (double bound) const
   {
     return {lowest, lowest_included, bound, true};
   }
+
+  /** \brief Returns the range with this upper bound, which is not included. */
   Range
   below (double bound) const
   {
@@ -48,20 +52,24 @@ struct Range {
   text () const;
 };
 
+/** \brief Returns the range of all numbers larger than the bound. */
 inline Range
 above (double bound)
 {
   return {bound, false};
 }
 
+/** \brief Returns the range of the bound and all larger numbers. */
 inline Range
 from (double bound)
 {
   return {bound, true};
 }
 
-/** \param[in] of_type range of the number type
- * \param[in] must_be_whole if true, the number must have no decimals
+/** \brief Returns the number of a text.
+ * \param[in] range that the option allows
+ * \param[in] of_type range of the numbers that the type of the target can have
+ * \param[in] must_be_whole whether the number must be an integer
  * \throws UsageError about the option if \p text is no number in both ranges */
 double
 parseNumber (const std::string& option,
@@ -70,13 +78,15 @@ parseNumber (const std::string& option,
              const Range& of_type,
              bool must_be_whole);
 
+/** \brief Returns the number of a text in the range of an option.
+ * \throws UsageError about the option if \p text is no such Number in this range */
 template <typename Number>
 Number
 parseNumber (const std::string& option, const std::string& text, const Range& range)
 {
   using Limits = std::numeric_limits<Number>;
   const Range from_lowest = from (static_cast<double> (Limits::lowest()));
-  // The largest integer may be no double; 2^digits, the one after it, always is.
+  // The largest integer may be no double, but 2^digits, the integer after it, is one.
   const Range of_type = Limits::is_integer
                             ? from_lowest.below (std::ldexp (1.0, Limits::digits))
                             : from_lowest.upTo (static_cast<double> (Limits::max()));

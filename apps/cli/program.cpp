@@ -25,13 +25,13 @@ namespace {
 std::atomic<int> noted_signal{0};
 static_assert (std::atomic<int>::is_always_lock_free);
 
-/** \brief When it was noted, in the time of \ref milliseconds. */
+/** \brief When \ref noted_signal was noted, as \ref monotonicTime [ms]. */
 std::atomic<std::int64_t> noted_at{0};
 static_assert (std::atomic<std::int64_t>::is_always_lock_free);
 
 /** \brief Returns the time [ms] of a monotonic clock that a signal handler may read. */
 std::int64_t
-milliseconds ()
+monotonicTime ()
 {
   timespec now{};
   ::clock_gettime (CLOCK_MONOTONIC, &now);
@@ -40,16 +40,18 @@ milliseconds ()
   return milliseconds_in_second * now.tv_sec + now.tv_nsec / nanoseconds_in_millisecond;
 }
 
+/** \brief The signal handler: see \ref noteInterruptions. */
 void
 noteSignal (int signal)
 {
-  // timeout and others signal twice: the program, then its process group.
+  // Programs such as timeout signal twice: the program, then its process group. The
+  // second signal is not one more from the user.
   constexpr std::int64_t max_between_both = 500; // [ms]
   if (noted_signal == 0) {
-    noted_at = milliseconds(); // first, as noted_signal tells that both are set
+    noted_at = monotonicTime(); // first, as noted_signal tells that both are set
     noted_signal = signal;
   }
-  else if (milliseconds() - noted_at > max_between_both) {
+  else if (monotonicTime() - noted_at > max_between_both) {
     std::signal (signal, SIG_DFL);
     std::raise (signal);
   }
@@ -58,9 +60,9 @@ noteSignal (int signal)
 /** \brief The name that messages begin with. */
 std::string running_program;
 
-/** \brief Opens /dev/null for each standard stream that is closed. Otherwise a file
- * that the program opens would get the stream's number, and printed text would go into
- * it.
+/** \brief Opens /dev/null for each standard stream that is closed. Otherwise the next
+ * file that the program opens would get the number of the stream, and printed text
+ * would be written into that file.
  * \return whether the standard output was open */
 bool
 holdClosedStreams ()
@@ -68,8 +70,8 @@ holdClosedStreams ()
   bool has_output = true;
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl (stream, F_GETFD) == -1) {
-      // open() returns the lowest free number, that of this stream. The wrong access
-      // mode makes its use fail as before.
+      // open() returns the lowest free number, which is that of this stream. With the
+      // wrong access mode, using the stream fails as it would if it were closed.
       static_cast<void> (
           ::open ("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
       has_output = has_output && stream != STDOUT_FILENO;
@@ -77,7 +79,7 @@ holdClosedStreams ()
   return has_output;
 }
 
-/** \brief Prints a message behind what the program has printed.
+/** \brief Prints a message after all that the program has printed so far.
  * \return \p code */
 int
 fail (const std::string& message, ExitCode code)
@@ -125,7 +127,8 @@ runProgram (const std::string& name, const std::function<int()>& body)
   }
   catch (const std::exception& error) {
     const std::string reason = error.what();
-    // libstdc++ says so if the user's locale does not exist or memory is short.
+    // libstdc++ names this function if the user's locale does not exist or memory is
+    // short.
     const bool is_about_locale =
         reason.find ("_S_create_c_locale") != std::string::npos;
     return fail (is_about_locale ? "LANG cannot be set up: not enough memory, or it "

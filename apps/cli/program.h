@@ -11,8 +11,8 @@ namespace pcl_ops::apps {
 /** \brief What programs return to the shell. */
 enum ExitCode : int { done = 0, work_failed = 1, wrong_usage = 2 };
 
-/** \brief Returns the line that \ref runProgram prints about a problem, "program:
- * message", without a line break. */
+/** \brief Returns the line that \ref runProgram prints about a problem: the name of the
+ * program, ": " and the message, without a line break. */
 std::string
 errorLine (std::string message);
 
@@ -20,14 +20,16 @@ errorLine (std::string message);
 void
 warn (const std::string& message);
 
-/** \brief Runs the body of a program, which returns the exit code. Exceptions, and a
- * standard output that cannot be written, become one line on stderr and an exit code.
- * Silences PCL's console. A file that exceeds the user's size limit (SIGXFSZ) makes
- * writing fail and does not end the program. */
+/** \brief Runs the body of a program, which returns the exit code. An exception, or a
+ * standard output that cannot be written, becomes one line on stderr and an exit code.
+ * PCL prints nothing meanwhile. If a file exceeds the user's size limit (SIGXFSZ),
+ * writing fails, but the program is not killed.
+ * \param[in] name of the program, for messages
+ * \return the exit code */
 int
 runProgram (const std::string& name, const std::function<int()>& body);
 
-/** \brief The user wants the program to end. */
+/** \brief Is thrown to end the program after a signal of the user. */
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error ("interrupted: nothing was written; run it again")
   {}

@@ -51,20 +51,20 @@ Progress::draw()
   if (style_ == ProgressStyle::None || is_too_early)
     return;
   last_line_ = now;
-  const std::size_t steps = std::max<std::size_t> (1, steps_); // not to divide by 0
-  const std::size_t done = std::min (done_, steps);
+  const std::size_t divisor = std::max<std::size_t> (1, steps_); // not 0
   if (style_ == ProgressStyle::Bar) {
-    const std::size_t filled = bar_width * done / steps;
+    const std::size_t filled = bar_width * std::min (done_, divisor) / divisor;
     stream_ << erase_line << '[' << std::string (filled, '=')
             << std::string (bar_width - filled, ' ') << "] ";
   }
-  const double elapsed = std::chrono::duration<double> (now - start_).count();
-  const double left = elapsed *
-                      static_cast<double> (steps_ - std::min (done_, steps_)) /
-                      static_cast<double> (done_);
-  stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << 100 * done_ / steps
+  const double elapsed = std::chrono::duration<double> (now - start_).count(); // [s]
+  // As if the remaining steps took as long as those that are done, on average.
+  const double remaining = elapsed *
+                           static_cast<double> (steps_ - std::min (done_, steps_)) /
+                           static_cast<double> (done_); // [s]
+  stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << 100 * done_ / divisor
           << " %, "
-          << (done_ < steps_ ? durationText (left) + " left"
+          << (done_ < steps_ ? durationText (remaining) + " left"
                              : "took " + durationText (elapsed));
   has_bar_ = style_ == ProgressStyle::Bar && done_ < steps_;
   stream_ << (has_bar_ ? "" : "\n") << std::flush;
@@ -92,7 +92,7 @@ StageLines::StageLines (std::ostream& stream, std::chrono::milliseconds between)
     thread_ = std::thread ([this] { writeLines(); });
   }
   catch (const std::system_error&) {
-    // The work needs no progress lines.
+    // The task goes on without lines.
   }
 }
 
@@ -136,10 +136,11 @@ runInParallel (std::size_t count,
       throw;
     }
   };
-  const unsigned wanted = jobs == 0 ? std::thread::hardware_concurrency() : jobs;
-  std::vector<std::future<void>> others; // their destructors wait for the threads
+  const unsigned threads = jobs == 0 ? std::thread::hardware_concurrency() : jobs;
+  // Those besides this thread; destructors of the futures wait for the threads.
+  std::vector<std::future<void>> others;
   try {
-    for (std::size_t i = 1; i < std::min<std::size_t> (wanted, count); ++i)
+    for (std::size_t i = 1; i < std::min<std::size_t> (threads, count); ++i)
       others.push_back (std::async (std::launch::async, call_work));
   }
   catch (const std::exception&) {

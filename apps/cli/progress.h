@@ -14,16 +14,18 @@
 
 namespace pcl_ops::apps {
 
+/** \brief How progress is shown. */
 enum class ProgressStyle {
-  /** \brief A bar, with the time left, in one line that is written again at each step,
-   * for terminals. */
+  /** \brief For terminals: a bar with the remaining time, in one line that is written
+   * again at each step. */
   Bar,
-  /** \brief A line at a step, at most every ten seconds, for files; no line if the run
-   * ends before. */
+  /** \brief For files: a line at a step, at most every ten seconds; no line if the run
+   * takes less. */
   Lines,
   None
 };
 
+/** \brief Returns the style for a stream. */
 inline ProgressStyle
 progressStyleOf (bool is_terminal)
 {
@@ -33,9 +35,10 @@ progressStyleOf (bool is_terminal)
 /** \brief Shows the progress of a long run. Several threads may use it. */
 class Progress {
 public:
-  /** \param[in] steps their number in the whole run
-   * \param[in] noun name of the steps, in the plural
-   * \param[in] between shortest time from one line to the next */
+  /** \param[in] steps number of steps of the whole run
+   * \param[in] noun what a step is, in the plural
+   * \param[in] between shortest time from one line to the next, for
+   * ProgressStyle::Lines */
   Progress (std::size_t steps,
             std::ostream& stream,
             ProgressStyle style,
@@ -58,10 +61,12 @@ public:
     draw();
   }
 
-  /** \brief Writes a line above the bar. \p stream may be the same terminal as that of
-   * the bar. */
+  /** \brief Writes a line in place of the bar, and the bar below it. \p stream may be
+   * the same terminal as that of the bar. */
   void
   note (const std::string& line, std::ostream& stream);
+
+  /** \brief Writes a line to the stream of the progress. */
   void
   note (const std::string& line)
   {
@@ -79,6 +84,7 @@ private:
   void
   draw ();
 
+  /** \brief Number of steps of the whole run. */
   std::size_t steps_;
   /** \brief Number of steps that are done. */
   std::size_t done_ = 0;
@@ -88,7 +94,10 @@ private:
   std::chrono::milliseconds between_;
   /** \brief Whether the last line of the stream is a bar. */
   bool has_bar_ = false;
-  Clock::time_point start_ = Clock::now(), last_line_ = start_;
+  Clock::time_point start_ = Clock::now();
+  /** \brief When the last line or bar was written. */
+  Clock::time_point last_line_ = start_;
+  /** \brief Guards all members. */
   std::mutex mutex_;
 };
 
@@ -97,11 +106,12 @@ std::string
 durationText (double seconds);
 
 /** \brief Writes the current stage of a long task with few steps: a line every ten
- * seconds, and no line if the task ends before. If no further thread can start, it
- * writes nothing. */
+ * seconds, by a thread of its own; no line if the task takes less, or if no thread can
+ * start. */
 class StageLines {
 public:
-  /** \param[in] stream written by a further thread until \ref end */
+  /** \param[in] stream is written to until \ref end
+   * \param[in] between time from one line to the next */
   explicit StageLines (std::ostream& stream,
                        std::chrono::milliseconds between = std::chrono::seconds (10));
   ~StageLines() { end(); }
@@ -121,6 +131,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  /** \brief The work of the thread. */
   void
   writeLines ();
 
@@ -135,10 +146,10 @@ private:
 };
 
 /** \brief Calls \p work with 0, 1, ... \p count - 1; the calls begin in this order.
- * After an exception no further call begins, and an exception of the calls is rethrown
- * once the running ones have returned.
- * \param[in] jobs calls at a time, fewer if the system starts no more threads; 0: as
- * many as there are processors */
+ * After an exception no further call begins, and one of the exceptions is rethrown once
+ * the running calls have returned.
+ * \param[in] jobs number of calls at the same time, fewer if the system starts no more
+ * threads; 0: as many as there are processors */
 void
 runInParallel (std::size_t count,
                unsigned jobs,

@@ -9,12 +9,12 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns the edit distance: letters inserted, deleted, changed or swapped with
- * the next (optimal string alignment). */
+/** \brief Returns the edit distance of two words: how many letters are inserted,
+ * deleted, changed or swapped with the next (optimal string alignment). */
 std::size_t
 editsBetween (const std::string& a, const std::string& b)
 {
-  // edits[i][j]: between the first i letters of a and the first j letters of b
+  // edits[i][j] is the distance between the first i letters of a and the first j of b.
   std::vector<std::vector<std::size_t>> edits (a.size() + 1,
                                                std::vector<std::size_t> (b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)
@@ -45,10 +45,10 @@ similarName (const std::string& mistyped, const std::vector<std::string>& names)
     return "";
   std::string similar;
   const std::size_t max_edits = mistyped.size() / 3;
-  std::size_t fewest = max_edits + 1;
+  std::size_t fewest_edits = max_edits + 1;
   for (const std::string& name : names)
-    if (const std::size_t edits = editsBetween (mistyped, name); edits < fewest) {
-      fewest = edits;
+    if (const std::size_t edits = editsBetween (mistyped, name); edits < fewest_edits) {
+      fewest_edits = edits;
       similar = name;
     }
   return similar;

@@ -7,10 +7,10 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Returns the name that a mistyped one most likely means: the first of those
- * with the fewest edits, where a letter is inserted, deleted, changed or swapped with
- * the next. Empty if all names take more edits than a third of the mistyped letters, or
- * if these are more than 64. */
+/** \brief Returns the name that a mistyped one most likely means: the first one with
+ * the fewest edits between both. An edit inserts, deletes or changes a letter, or swaps
+ * it with the next. Empty if every name takes more edits than a third of the number of
+ * letters of \p mistyped, or if that is above 64. */
 std::string
 similarName (const std::string& mistyped, const std::vector<std::string>& names);
 

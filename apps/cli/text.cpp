@@ -10,14 +10,15 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns the number of bytes of the UTF-8 character that this byte begins; 0
- * if it begins none. */
+/** \brief Returns the number of bytes of the UTF-8 character that begins with this
+ * byte; 0 if none does. */
 std::size_t
 lengthOfCharacter (unsigned char first)
 {
   if (first <= 0x7f) // ASCII
     return 1;
-  if (first <= 0xc1) // a byte within a character, or a form that is not the shortest
+  // A byte within a character, or the first one of a form that is not the shortest.
+  if (first <= 0xc1)
     return 0;
   if (first <= 0xdf)
     return 2;
@@ -26,9 +27,9 @@ lengthOfCharacter (unsigned char first)
   return first <= 0xf4 ? 4 : 0; // 0xf5 would begin a code above 0x10ffff
 }
 
-/** \brief Whether the bytes are one UTF-8 character in its shortest form, and no UTF-16
- * surrogate.
- * \param[in] bytes as many as \ref lengthOfCharacter says of the first */
+/** \brief Whether the bytes are one UTF-8 character: the shortest form of a code that
+ * is no UTF-16 surrogate.
+ * \param[in] bytes as many as \ref lengthOfCharacter returns for the first one */
 bool
 isCharacter (const std::string& bytes)
 {
@@ -38,8 +39,8 @@ isCharacter (const std::string& bytes)
   const std::size_t length = bytes.size();
   if (length == 1)
     return true;
-  // The first byte has length ones and a zero in front of its bits of the code, each
-  // further one has a one and a zero in front of six bits.
+  // The first byte begins with as many bits 1 as the character has bytes, then a bit 0;
+  // each further byte begins with the bits 10. All other bits are those of the code.
   std::uint32_t code = static_cast<unsigned char> (bytes[0]) & (0x7fU >> length);
   for (std::size_t i = 1; i < length; ++i) {
     const auto byte = static_cast<unsigned char> (bytes[i]);

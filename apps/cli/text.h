@@ -18,8 +18,8 @@ concatenate (const Values&... values)
   return text.str();
 }
 
-/** \brief Returns the text with a blank in place of each line break, which file names
- * may have. */
+/** \brief Returns the text with a blank in place of each line break. File names may
+ * have line breaks. */
 inline std::string
 oneLine (std::string text)
 {

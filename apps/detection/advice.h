@@ -21,21 +21,22 @@
 
 namespace pcl_ops::apps {
 
-// Texts on which option to change after a detection: advice if hardly any point is on a
-// plane, and a hint if planes are thick.
+// Texts that say which option to change after a detection: advice if hardly any point
+// is on a plane, and a hint if planes are thick. The texts name the options of
+// programs.
 
 /** \brief The finite points of a cloud. */
 using FinitePoints = std::vector<Eigen::Vector3f>;
 
 /** \brief Returns advice for a cloud whose unit may be the millimeter; empty unless the
- * bounding box is far too wide for the threshold. */
+ * threshold is set and the bounding box is far too wide for it. */
 template <typename Parameters>
 std::string
 adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
 {
   constexpr bool is_fspf =
       std::is_same_v<Parameters, FastSamplingPlaneFilteringParameters>;
-  // Is not set by default for OPS, as it then follows the noise of the cloud.
+  // The threshold of OPS is not set by default: then it follows the noise of the cloud.
   const std::optional<double>& threshold = parameters.distance_threshold;
   // In millimeters a room of 10 m is 200,000 times as wide as the usual threshold of
   // 0.05. In meters a scene of 40,000 thresholds would be 2 km wide.
@@ -46,36 +47,38 @@ adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
   const double extent = box.diagonal().norm();
   if (!threshold || extent <= max_extent_in_thresholds * *threshold)
     return "";
-  const char* lengths = is_fspf ? "--threshold and --inner-radius" : "--threshold";
+  const char* options = is_fspf ? "--threshold and --inner-radius" : "--threshold";
   return concatenate ("the cloud is ",
                       extent,
                       " wide: if its unit is the millimeter, give ",
-                      lengths,
+                      options,
                       " in millimeters, too (threshold now ",
                       *threshold,
                       ")");
 }
 
-/** \brief Returns the median number of points within a radius of a point, over spheres
- * around 101 points of the cloud.
+/** \brief Counts the points within a radius of each of 101 points of the cloud, and
+ * returns the median of the counts.
+ * \param[in] radius [unit of the cloud]
  * \param[in] points at least one */
 inline double
 medianPointsWithin (double radius, const FinitePoints& points)
 {
-  constexpr std::size_t spheres = 101;
+  constexpr std::size_t spheres = 101; // odd: the median is one of the counts
   const auto squared_radius = float (radius * radius);
   std::vector<double> counts;
   for (std::size_t i = 0; i < spheres; ++i) {
     const Eigen::Vector3f& center = points[i * points.size() / spheres];
-    counts.push_back (std::count_if (points.begin(), points.end(), [&] (auto& point) {
-      return (point - center).squaredNorm() <= squared_radius;
-    }));
+    counts.push_back (std::count_if (
+        points.begin(), points.end(), [&] (const Eigen::Vector3f& point) {
+          return (point - center).squaredNorm() <= squared_radius;
+        }));
   }
   return quantile (counts, 0.5);
 }
 
-/** \brief Returns advice if OPS had too few samples or points in voxels for any plane;
- * else an empty string. */
+/** \brief Returns advice if OPS had too few samples, or voxels too few points, for any
+ * plane; else an empty string. */
 inline std::string
 adviceOnTooFew (const OrientedPointSamplingParameters& parameters,
                 const FinitePoints& points)
@@ -105,7 +108,8 @@ adviceOnTooFew (const OrientedPointSamplingParameters& parameters,
   return "";
 }
 
-/** \brief Returns which option of OPS to change. Only 3D-KHT uses found_none. */
+/** \brief Returns which option of OPS to change. The last parameter is for the overload
+ * for 3D-KHT. */
 inline std::string
 adviceOn (const OrientedPointSamplingParameters& parameters,
           const FinitePoints& points,
@@ -115,7 +119,7 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
   if (!on_too_few.empty())
     return on_too_few;
   const std::optional<double>& threshold = parameters.distance_threshold;
-  const std::string if_noisy =
+  const std::string small_or_noisy =
       concatenate (" if the planes are small, raise --threshold (",
                    threshold ? concatenate (*threshold) : "auto",
                    ") if the points are noisy");
@@ -128,12 +132,14 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
   const std::string sampling_rate =
       concatenate ("raise --sampling-rate (", parameters.sampling_rate, ")");
   if (parameters.sampling == Sampling::Points)
-    return min_inliers + " or " + sampling_rate + if_noisy;
+    return min_inliers + " or " + sampling_rate + small_or_noisy;
   const bool is_on_voxels = parameters.surfels.voxel_size.has_value();
-  return (is_on_voxels || is_above_default ? min_inliers : sampling_rate) + if_noisy;
+  return (is_on_voxels || is_above_default ? min_inliers : sampling_rate) +
+         small_or_noisy;
 }
 
-/** \brief Returns which option of FSPF to change. */
+/** \brief Returns which option of FSPF to change. The last parameter is for the
+ * overload for 3D-KHT. */
 inline std::string
 adviceOn (const FastSamplingPlaneFilteringParameters& parameters,
           const FinitePoints& points,
@@ -181,19 +187,22 @@ adviceOn (const KernelHoughTransformParameters& parameters,
                       ") for more of them");
 }
 
-/** \brief If a smaller share of the points is on planes, advice is given. */
+/** \brief Advice is given if a smaller share of the finite points is on planes. */
 constexpr double min_share_on_planes = 0.05;
 
-/** \brief The same for a given --voxel-size: voxels that hold few points give some
- * planes by chance. */
-constexpr double min_share_on_voxels = 0.1;
+/** \brief The same bound if --voxel-size is given. It is higher, as voxels that hold
+ * few points give some planes by chance. */
+constexpr double min_share_on_planes_of_voxels = 0.1;
 
+/** \brief Returns which of both bounds is that of a detection with these parameters. */
 inline double
 minShareOnPlanes (const OrientedPointSamplingParameters& parameters)
 {
-  return parameters.surfels.voxel_size ? min_share_on_voxels : min_share_on_planes;
+  return parameters.surfels.voxel_size ? min_share_on_planes_of_voxels
+                                       : min_share_on_planes;
 }
 
+/** \brief The same for FSPF and 3D-KHT, which have no voxels. */
 template <typename Parameters>
 double
 minShareOnPlanes (const Parameters&)
@@ -201,17 +210,19 @@ minShareOnPlanes (const Parameters&)
   return min_share_on_planes;
 }
 
-/** \brief Returns which parameter to change, as the end of a sentence, if a smaller
- * share of the finite points than \ref minShareOnPlanes is on planes; else an empty
- * string. */
+/** \brief Returns which option to change, as the end of a sentence, if the share of the
+ * finite points that is on planes is below \ref minShareOnPlanes; else an empty string.
+ */
 template <typename Parameters>
 std::string
 adviceFor (const Parameters& parameters,
            const XyzCloud& cloud,
            const std::vector<PlaneSegment>& planes)
 {
-  const auto finite_points = std::count_if (
-      cloud.begin(), cloud.end(), [] (auto& point) { return pcl::isFinite (point); });
+  const auto finite_points =
+      std::count_if (cloud.begin(), cloud.end(), [] (const pcl::PointXYZ& point) {
+        return pcl::isFinite (point);
+      });
   std::size_t on_planes = 0;
   for (const PlaneSegment& plane : planes)
     on_planes += plane.inliers.size();
@@ -231,8 +242,9 @@ adviceFor (const Parameters& parameters,
   return on_unit.empty() ? adviceOn (parameters, points, planes.empty()) : on_unit;
 }
 
-/** \brief Whether the rms distance of a plane is larger than the spacing of its points:
- * voxels cannot resolve thinner planes. */
+/** \brief Whether the rms distance of the points to a plane is larger than their
+ * spacing on it. Planes that are not thicker get no hint, as voxels cannot resolve
+ * them. */
 inline bool
 isThickerThanSpacing (const PlaneSegment& plane)
 {
@@ -240,22 +252,31 @@ isThickerThanSpacing (const PlaneSegment& plane)
   if (!fit)
     return false;
   const Eigen::Vector3d& variances = fit->variances;
-  // The area of an ellipse with evenly spread points of these variances.
+  // The area of an ellipse in which evenly spread points have these variances.
   const double area = 4.0 * M_PI * std::sqrt (variances[1] * variances[2]);
   // rms^2 > spacing^2, where rms^2 is the least variance and spacing^2 = area / count.
   return variances[0] * plane.moments.count > area;
 }
 
-/** \brief Returns a hint to give --voxel-size if most points on planes are on thick
- * planes (\ref thick_factor); else an empty string. Measures only the four largest
- * planes for which \ref isThickerThanSpacing is true, by 8 points each.
+/** \brief Returns the nearest number of one significant digit to a positive number. */
+inline double
+roundedToOneDigit (double number)
+{
+  const double unit = std::pow (10.0, std::floor (std::log10 (number)));
+  return unit * std::round (number / unit);
+}
+
+/** \brief Returns a hint to give --voxel-size if 60 % or more of the points on planes
+ * are on thick planes (\ref thick_factor); else an empty string. To save time it
+ * measures the thickness of at most four planes, by 8 points each: the largest ones for
+ * which \ref isThickerThanSpacing holds.
  * \param[in] planes by falling size */
 inline std::string
 hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
-  constexpr double min_share = 0.6; // of the points on planes
+  constexpr double min_thick_share = 0.6; // of the points on planes
   constexpr std::size_t max_candidates = 4;
-  constexpr std::size_t probes = 8;
+  constexpr std::size_t probes = 8; // points of each candidate
   std::vector<PlaneSegment> candidates;
   std::size_t on_planes = 0;
   std::size_t on_candidates = 0;
@@ -266,7 +287,7 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
       on_candidates += plane.inliers.size();
     }
   }
-  if (fraction (on_candidates, on_planes, 0.0) < min_share)
+  if (fraction (on_candidates, on_planes, 0.0) < min_thick_share)
     return "";
   const std::vector<Thickness> thicknesses = thicknessOf (cloud, candidates, probes);
   std::size_t on_thick_planes = 0;
@@ -277,18 +298,16 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
       spacing = spacing.value_or (thicknesses[i].spacing);
     }
   const double thick_share = fraction (on_thick_planes, on_planes, 0.0);
-  if (thick_share < min_share)
+  if (thick_share < min_thick_share)
     return "";
   // On a surface, about four points are in a voxel of twice their spacing.
-  constexpr double voxel_size_by_spacing = 2.0;
-  const double voxel_size = voxel_size_by_spacing * *spacing;
-  const double first_digit = std::pow (10.0, std::floor (std::log10 (voxel_size)));
+  constexpr double voxel_size_in_spacings = 2.0;
   return concatenate ("planes are thick: ",
                       std::lrint (100.0 * thick_share),
                       " % of the points on planes are on such as are more than ",
                       thick_factor,
                       " times thicker than their surroundings: give --voxel-size ",
-                      first_digit * std::round (voxel_size / first_digit),
+                      roundedToOneDigit (voxel_size_in_spacings * *spacing),
                       ", or more for larger planes");
 }
 

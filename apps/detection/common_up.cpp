@@ -11,10 +11,11 @@ namespace pcl_ops::apps {
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& axes)
 {
-  // Largest angle to the candidate of a group: both may be off by half of it.
+  // The largest angle between the axes of a group and its candidate: each of them may
+  // differ from the true axis by half of this angle.
   constexpr double max_degrees_apart = 15.0;
   const double min_cosine = std::cos (toRadians (max_degrees_apart));
-  // Until the end, directions are weighted sums, and confidences are sums.
+  // In these groups the direction is a weighted sum, and the confidence is a sum.
   CommonUp best{{Eigen::Vector3d::Zero(), 0.0}, 0};
   double confidence_of_all = 0.0;
   for (const UpAxis& candidate : axes) {

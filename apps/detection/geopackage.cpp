@@ -27,7 +27,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief The database is in memory, so each error of SQLite is one for lack of memory.
+/** \brief Checks the result of a function of SQLite. As the database is in memory, it
+ * can fail only for lack of memory.
  * \throws std::bad_alloc if the code is not the expected one */
 void
 checkMemory (int code, int expected = SQLITE_OK)
@@ -51,7 +52,7 @@ public:
     checkMemory (sqlite3_exec (handle, sql.c_str(), nullptr, nullptr, nullptr));
   }
 
-  /** \brief Returns the content of the file that the database would be. */
+  /** \brief Returns the bytes that a file with the database would have. */
   std::string
   bytes ()
   {
@@ -81,7 +82,8 @@ public:
   Insertion&
   operator= (const Insertion&) = delete;
 
-  /** \brief Sets the next value of the row. */
+  /** \brief Sets the next value of the row; null for a value that is neither a number
+   * nor a text. */
   void
   add (const Json& value)
   {
@@ -122,14 +124,14 @@ public:
 
 private:
   sqlite3_stmt* statement_ = nullptr;
-  /** \brief Number of the last value that was set, from 1 on. */
+  /** \brief Number of the last value of the row that was set, from 1 on; 0 for none. */
   int column_ = 0;
 };
 
-/** \brief Appends a number, the least significant byte first. */
-template <typename Number>
+/** \brief Appends the bytes of a number, the least significant one first. */
+template <typename Integer>
 void
-append (Number number, std::string& bytes)
+append (Integer number, std::string& bytes)
 {
   boost::endian::native_to_little_inplace (number);
   bytes.append (reinterpret_cast<const char*> (&number), sizeof number);
@@ -156,6 +158,8 @@ public:
   Eigen::AlignedBox2d box;
 
 private:
+  /** \brief Appends a geometry.
+   * \param[in] type, coordinates as in GeoJSON */
   void
   write (const std::string& type, const Json& coordinates)
   {
@@ -164,14 +168,14 @@ private:
                                                                {"Polygon", 3},
                                                                {"MultiLineString", 5},
                                                                {"MultiPolygon", 6}};
-    constexpr std::uint32_t with_z = 1000; // is added to the code
+    constexpr std::uint32_t z_code = 1000; // is added to the code of a type with z
     constexpr char little_endian = 1;
     const Json* first_position = &coordinates;
     while (!first_position->at (0).is_number())
       first_position = &first_position->at (0);
     const bool has_z = first_position->size() == 3;
     bytes += little_endian;
-    append (codes.at (type) + (has_z ? with_z : 0), bytes);
+    append (codes.at (type) + (has_z ? z_code : 0), bytes);
     if (type == "Point")
       return writePosition (coordinates);
     writeCount (coordinates);
@@ -209,19 +213,19 @@ private:
 
 /** \brief Returns a geometry as a GeoPackage blob: a header with reference system and
  * bounding box, then the well-known binary. Empty for null.
- * \param[in] system EPSG code, or -1
+ * \param[in] epsg code of the reference system, or -1
  * \param[in,out] layer_box is extended by the bounding box of the geometry */
 std::string
-blobOf (const Json& geometry, int system, Eigen::AlignedBox2d& layer_box)
+blobOf (const Json& geometry, int epsg, Eigen::AlignedBox2d& layer_box)
 {
   if (geometry.is_null())
     return {};
   const Wkb wkb (geometry);
   layer_box.extend (wkb.box);
   constexpr char version = 0;
-  constexpr char flags = 3; // little endian, with a box in x and y
+  constexpr char flags = 3; // bit 0: little endian; bit 1: a box in x and y
   std::string blob = {'G', 'P', version, flags};
-  append (static_cast<std::uint32_t> (system), blob);
+  append (static_cast<std::uint32_t> (epsg), blob);
   for (const int axis : {0, 1})
     for (const double limit : {wkb.box.min()[axis], wkb.box.max()[axis]})
       append (limit, blob);
@@ -258,23 +262,26 @@ sqlColumnsOf (const Json& features)
   return columns;
 }
 
-/** \brief Returns the EPSG code of the reference system that a map names, else -1. */
+/** \brief Returns the EPSG code of the reference system that a map names; -1 if it
+ * names none. */
 int
-systemOf (const Json& map)
+epsgOf (const Json& map)
 {
   constexpr int undefined_cartesian = -1;
   if (!map.contains ("crs"))
     return undefined_cartesian;
+  // "urn:ogc:def:crs:EPSG::25832"
   const auto name = map.at ("crs").at ("properties").at ("name").get<std::string>();
   return std::stoi (name.substr (name.rfind (':') + 1));
 }
 
 /** \brief Creates the table of a layer with a row for each feature.
+ * \param[in] epsg code of the reference system, or -1
  * \return the bounding box of the features in x and y */
 Eigen::AlignedBox2d
 addFeatures (const Json& features,
              const std::string& layer,
-             int system,
+             int epsg,
              Database& database)
 {
   const std::vector<SqlColumn> columns = sqlColumnsOf (features);
@@ -292,7 +299,7 @@ addFeatures (const Json& features,
                  "INSERT INTO \"" + layer + "\" VALUES (NULL, ?" + placeholders + ")");
   Eigen::AlignedBox2d box;
   for (const Json& feature : features) {
-    row.addBlob (blobOf (feature.at ("geometry"), system, box));
+    row.addBlob (blobOf (feature.at ("geometry"), epsg, box));
     for (const SqlColumn& column : columns)
       row.add (feature.at ("properties").value (column.name, Json()));
     row.run();
@@ -300,14 +307,16 @@ addFeatures (const Json& features,
   return box;
 }
 
-/** \brief Registers a layer and its column of geometries, so that readers find them. */
+/** \brief Registers a layer and its column of geometries, so that readers find them.
+ * \param[in] epsg code of the reference system, or -1
+ * \param[in] box around the features in x and y; may be empty */
 void
 registerLayer (const std::string& layer,
-               int system,
+               int epsg,
                const Eigen::AlignedBox2d& box,
                Database& database)
 {
-  // A fixed date instead of the time of writing: the same map gives the same bytes.
+  // The date is fixed, not that of writing, so that the same map gives the same bytes.
   Insertion contents (database,
                       "INSERT INTO gpkg_contents VALUES (?, 'features', ?, '', "
                       "'1970-01-01T00:00:00.000Z', ?, ?, ?, ?, ?)");
@@ -318,14 +327,14 @@ registerLayer (const std::string& layer,
                              box.isEmpty() ? 0.0 : box.max().x(),
                              box.isEmpty() ? 0.0 : box.max().y()})
     contents.add (limit);
-  contents.add (system);
+  contents.add (epsg);
   contents.run();
+  // 2: geometries may have z; 0: they have no m.
   Insertion column (
       database,
-      "INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'GEOMETRY', ?, "
-      "2, 0)"); // 2: geometries may have z
+      "INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'GEOMETRY', ?, 2, 0)");
   column.add (layer);
-  column.add (system);
+  column.add (epsg);
   column.run();
 }
 
@@ -341,19 +350,19 @@ std::string
 geoPackageOf (const std::string& geo_json, const std::string& layer)
 {
   const Json map = Json::parse (geo_json);
-  const int system = systemOf (map);
+  const int epsg = epsgOf (map);
   Database database;
   database.run (geopackage_tables);
   // The definition of the system is left out: readers know it by its EPSG code.
-  if (system > 0)
+  if (epsg > 0)
     database.run (
         str (boost::format ("INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES "
                             "('EPSG:%1%', %1%, 'EPSG', %1%, 'undefined', NULL)") %
-             system));
+             epsg));
   database.run ("BEGIN");
   const Eigen::AlignedBox2d box =
-      addFeatures (map.at ("features"), layer, system, database);
-  registerLayer (layer, system, box, database);
+      addFeatures (map.at ("features"), layer, epsg, database);
+  registerLayer (layer, epsg, box, database);
   database.run ("COMMIT");
   return database.bytes();
 }

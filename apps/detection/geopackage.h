@@ -6,13 +6,15 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Whether this program was built with SQLite. */
+/** \brief Whether this build has SQLite. */
 bool
 hasSqlite ();
 
 /** \brief Returns the bytes of a GeoPackage (OGC 12-128r18) with one layer. The layer
- * has the features of a GeoJSON map: geometry, properties, and the EPSG code of its
- * reference system. The same map always gives the same bytes.
+ * has the features of a GeoJSON map with their geometries and properties, and the EPSG
+ * code of the reference system of the map. The same map always gives the same bytes.
+ * \param[in] geo_json the text of the map, as of \ref featureCollection
+ * \param[in] layer name of the layer
  * \throws std::logic_error in a build without SQLite */
 std::string
 geoPackageOf (const std::string& geo_json, const std::string& layer);

@@ -1,6 +1,7 @@
 -- SPDX-FileCopyrightText: 2026 The pcl_ops authors
 -- SPDX-License-Identifier: BSD-3-Clause
--- The tables of every GeoPackage (OGC 12-128r18), for the programs and for Python.
+-- The tables of every GeoPackage (OGC 12-128r18), for the programs and for Python. The
+-- application id is "GPKG" in ASCII, the user version that of GeoPackage 1.3.0.
 PRAGMA application_id = 0x47504B47;
 PRAGMA user_version = 10300;
 CREATE TABLE gpkg_spatial_ref_sys (srs_name TEXT NOT NULL, srs_id INTEGER PRIMARY KEY,

@@ -26,9 +26,10 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Refuses options that contradict each other or the cloud.
+/** \brief Refuses options of OPS that contradict each other or the cloud.
+ * \param[in] given the options
  * \param[in] points number of points of the cloud
- * \throws UsageError */
+ * \throws UsageError about one of the options */
 void
 checkAndComplete (const GivenNumbers& given,
                   std::size_t points,
@@ -36,7 +37,8 @@ checkAndComplete (const GivenNumbers& given,
 {
   if (given.count ("voxel-size") > 0 && parameters.sampling == Sampling::Points)
     throw UsageError ("--voxel-size", "has no meaning to --preset paper; leave it out");
-  // A k above the number of points would cost the time of a cloud of k points.
+  // A detection with a k above the number of points would take as long as that of a
+  // cloud of k points.
   const int k = parameters.k;
   if (k > OpsParameters().k && std::size_t (k) > points)
     throw UsageError ("--k",
@@ -46,8 +48,8 @@ checkAndComplete (const GivenNumbers& given,
                                    "; give a smaller number"));
 }
 
-/** \brief If only one radius is given, sets the other one: the outer radius is twice
- * the inner one, the ratio for which the paper finds FSPF most accurate (Table I).
+/** \brief If only one radius is given, sets the other one, so that the outer radius is
+ * twice the inner one: with this ratio FSPF is most accurate (Sun & Mordohai, Table I).
  * \throws UsageError if the outer radius is smaller than the inner one */
 void
 checkAndComplete (const GivenNumbers& given,
@@ -67,7 +69,8 @@ checkAndComplete (const GivenNumbers& given,
                       "is below --inner-radius; leave one of them out or raise it");
 }
 
-/** \brief Refuses options that contradict each other. \throws UsageError */
+/** \brief Refuses options of 3D-KHT that contradict each other.
+ * \throws UsageError about one of the options */
 void
 checkAndComplete (const GivenNumbers& given,
                   std::size_t /*points*/,
@@ -80,6 +83,7 @@ checkAndComplete (const GivenNumbers& given,
         "leave one of them out");
 }
 
+/** \brief Returns the position of the sensor in the frame of the cloud. */
 Eigen::Vector3d
 sensorOf (const XyzCloud& cloud)
 {
@@ -87,34 +91,35 @@ sensorOf (const XyzCloud& cloud)
 }
 
 /** \brief Adds a hint that --min-inliers counts samples, not points, if a value above
- * the default leaves 5 planes or fewer, and at most a quarter of those that the default
- * value leaves. */
+ * the default finds 5 planes or fewer, and at most a quarter of those that the default
+ * value finds. */
 void
-hintOnMinInliers (const GivenNumbers& given,
-                  OpsParameters parameters,
-                  const XyzCloud& cloud,
-                  Detected& detected)
+addHintOnMinInliers (const GivenNumbers& given,
+                     OpsParameters parameters,
+                     const XyzCloud& cloud,
+                     Detected& detected)
 {
-  // More planes are enough for a room, so that no second search is needed.
-  constexpr std::size_t max_left = 5;
-  // The default value has to leave at least so many times as many planes.
+  // More planes are enough for a room: then no second detection is needed.
+  constexpr std::size_t max_planes = 5;
+  // The default value has to find at least so many times as many planes.
   constexpr std::size_t min_ratio = 4;
-  const unsigned default_min = OpsParameters().min_samples;
-  const unsigned asked = parameters.min_samples;
-  const std::size_t left = detected.planes.size();
-  if (given.count ("min-inliers") == 0 || asked <= default_min || left > max_left)
+  const unsigned default_value = OpsParameters().min_samples;
+  const unsigned value = parameters.min_samples;
+  const std::size_t planes = detected.planes.size();
+  if (given.count ("min-inliers") == 0 || value <= default_value || planes > max_planes)
     return;
-  parameters.min_samples = default_min;
-  const std::size_t all = detectPlanes (cloud, parameters, sensorOf (cloud)).size();
-  if (left != all && min_ratio * left <= all)
+  parameters.min_samples = default_value;
+  const std::size_t default_planes =
+      detectPlanes (cloud, parameters, sensorOf (cloud)).size();
+  if (planes != default_planes && min_ratio * planes <= default_planes)
     detected.hints.push_back (concatenate ("--min-inliers ",
-                                           asked,
+                                           value,
                                            " counts samples, not points, and leaves ",
-                                           left,
+                                           planes,
                                            " of ",
-                                           all,
+                                           default_planes,
                                            " planes: --min-points ",
-                                           asked,
+                                           value,
                                            " counts points"));
 }
 
@@ -134,8 +139,8 @@ samplingName (Sampling sampling)
   return "automatic";
 }
 
-/** \brief Returns all parameters by the names of their options, and some parameters
- * that no option changes. */
+/** \brief Returns Detected::settings: all parameters that options change, and some that
+ * no option changes. */
 template <typename Parameters>
 Settings
 settingsOf (const std::string& preset, Parameters parameters)
@@ -162,13 +167,14 @@ settingsOf (const std::string& preset, Parameters parameters)
   return settings;
 }
 
+/** \brief Returns a number for a report; null for none. */
 Settings
 numberOrNull (const std::optional<double>& number)
 {
   return number ? Settings (*number) : Settings();
 }
 
-/** \brief Adds the lengths that were used, as parameters may be automatic. */
+/** \brief Adds the lengths that were used, as the parameters may be "auto". */
 void
 addUsedLengths (const UsedLengths& used, Settings& settings)
 {
@@ -179,16 +185,17 @@ addUsedLengths (const UsedLengths& used, Settings& settings)
 
 /** \brief Adds a hint if --sampling-rate has no effect beside --voxel-size. */
 void
-hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
+addHintOnSamplingRate (const GivenNumbers& given, Detected& detected)
 {
-  const auto size = given.find ("voxel-size");
-  if (size != given.end() && size->second > 0.0 && given.count ("sampling-rate") > 0)
+  const auto voxel_size = given.find ("voxel-size");
+  const bool is_on_voxels = voxel_size != given.end() && voxel_size->second > 0.0;
+  if (is_on_voxels && given.count ("sampling-rate") > 0)
     detected.hints.push_back (
         "--sampling-rate has no effect beside --voxel-size, which gives "
         "the voxels their size: leave one of them out");
 }
 
-/** \brief Returns the time of a clock [ms]. */
+/** \brief Returns what a clock of processor time shows [ms]. */
 double
 millisecondsOf (clockid_t clock)
 {
@@ -198,9 +205,10 @@ millisecondsOf (clockid_t clock)
          1e-6 * static_cast<double> (time.tv_nsec);
 }
 
-/** \brief Returns the parameters, with an observer that stores the stages if they are
- * asked for. Further searches, which only serve hints, have no observer.
- * \param[out] stages is filled during the detection */
+/** \brief Returns the parameters for a detection that stores its stages.
+ * \param[in] keeps_stages if false, or for other detectors than OPS, the parameters are
+ * returned unchanged
+ * \param[out] stages are added during the detection */
 template <typename Parameters>
 Parameters
 withObserver (Parameters parameters,
@@ -215,15 +223,16 @@ withObserver (Parameters parameters,
   return parameters;
 }
 
-/** \brief Adds hints on the options of OPS, and sets Detected::search. */
+/** \brief Adds hints on the options of OPS, and sets Detected::search if the detection
+ * was on neighborhoods. */
 void
 addHints (const GivenNumbers& given,
           const OpsParameters& parameters,
           const XyzCloud& cloud,
           Detected& detected)
 {
-  hintOnMinInliers (given, parameters, cloud, detected);
-  hintOnSamplingRate (given, detected);
+  addHintOnMinInliers (given, parameters, cloud, detected);
+  addHintOnSamplingRate (given, detected);
   const bool is_on_neighborhoods =
       parameters.sampling != Sampling::Points && !parameters.surfels.voxel_size;
   if (!is_on_neighborhoods)
@@ -262,14 +271,14 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
       parameters.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID;
   const double start = millisecondsOf (clock);
   Detected detected;
-  auto found = detectPlanesInDetail (
+  auto result = detectPlanesInDetail (
       *cloud,
       withObserver (parameters, options.keeps_stages, detected.stages),
       sensorOf (*cloud));
   detected.processor_time = millisecondsOf (clock) - start;
-  detected.planes = std::move (found.planes);
-  detected.timing = found.durations;
-  detected.used = found.used;
+  detected.planes = std::move (result.planes);
+  detected.timing = result.durations;
+  detected.used = result.used;
   detected.settings = settingsOf (options.preset, parameters);
   addUsedLengths (detected.used, detected.settings);
   detected.up = parameters.up_axis;
@@ -279,7 +288,8 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   return detected;
 }
 
-/** \brief Returns the values of both presets as text for the help, by option name. */
+/** \brief Returns by option name what the help says of the value: "20", or, where the
+ * presets differ, "20; paper 40". */
 template <typename Parameters>
 std::map<std::string, std::string>
 presetNotes ()
@@ -302,6 +312,7 @@ presetNotes ()
   return notes;
 }
 
+/** \brief Returns the detector of these parameters. */
 template <typename Parameters>
 Method
 methodOf (const std::string& name, const std::string& title)
@@ -321,8 +332,10 @@ defaultWith (const GivenNumbers& numbers)
   return parameters;
 }
 
-/** \brief Returns a line on the up axis that was used.
- * \param[in] is_seen whether the cloud was seen from its sensor origin */
+/** \brief Returns Detected::up_note.
+ * \param[in] found the estimated axis, if there is one
+ * \param[in] is_seen whether the cloud was seen from its sensor origin
+ * \param[in] used the axis that was used */
 std::string
 noteOnUp (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f& used)
 {
@@ -337,11 +350,11 @@ noteOnUp (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3
          axis + " is used; give --up x,y,z";
 }
 
-/** \brief Adds a hint if the planes show reliably that the up axis is another one.
- * \param[in,out] detected planes of the default preset, for which no second search is
- * needed */
+/** \brief If the planes show reliably that up is another axis than Detected::up, adds a
+ * hint and sets Detected::suggested_up.
+ * \param[in,out] detected by the default preset of OPS, as \ref findUpAxis requires */
 void
-hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
+addHintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
 {
   const std::optional<UpAxis> found =
       estimateUpAxis (detected.planes, sensorOf (cloud));
@@ -377,25 +390,26 @@ mostFrequentLabel (const PlaneSegment& plane, const std::vector<std::uint32_t>& 
   return most_frequent->first;
 }
 
-/** \brief Returns the next larger number with one significant digit; 0.002 for a length
+/** \brief Returns the next larger number with one significant digit; 0.002 for lengths
  * up to 0.001. */
 double
 roundedUp (double length)
 {
-  constexpr double min_length = 1e-3;
+  constexpr double min_length = 1e-3; // [unit of the cloud]
   const double at_least = std::max (length, min_length);
   const double unit = std::pow (10.0, std::floor (std::log10 (at_least)));
-  constexpr double rounding = 1e-9; // .3 / .1 is rounded to a number below 3
+  constexpr double rounding = 1e-9; // e.g. 0.3 / 0.1 is a little below 3
   return unit * (std::floor (at_least / unit + rounding) + 1.0);
 }
 
 /** \brief If two planes may be one surface (\ref findOverlapping), adds a hint with the
- * --merge-distance that merges them. A second search checks that it does. */
+ * --merge-distance that merges them. A second detection checks that this distance does.
+ */
 void
-hintOnOverlap (const Method& method,
-               const DetectorOptions& options,
-               const XyzCloud::ConstPtr& cloud,
-               Detected& detected)
+addHintOnOverlap (const Method& method,
+                  const DetectorOptions& options,
+                  const XyzCloud::ConstPtr& cloud,
+                  Detected& detected)
 {
   constexpr const char* option = "merge-distance";
   const bool can_merge = detected.settings.value ("merging", true);
@@ -405,12 +419,12 @@ hintOnOverlap (const Method& method,
       findOverlapping (*cloud, detected.planes);
   if (!pair)
     return;
-  DetectorOptions merging = options;
-  merging.keeps_stages = false;
+  DetectorOptions merging_options = options;
+  merging_options.keeps_stages = false;
   const double distance = roundedUp (pair->distance);
-  merging.numbers[option] = distance;
+  merging_options.numbers[option] = distance;
   const std::vector<std::uint32_t> labels =
-      labelsOf (method.detect (merging, cloud).planes, cloud->size());
+      labelsOf (method.detect (merging_options, cloud).planes, cloud->size());
   const std::uint32_t of_smaller =
       mostFrequentLabel (detected.planes[pair->smaller], labels);
   const std::uint32_t of_larger =
@@ -424,7 +438,7 @@ hintOnOverlap (const Method& method,
       (pair->larger + 1) % (pair->smaller + 1) % pair->distance % distance));
 }
 
-/** \brief Returns the title of the options of a method in the help. */
+/** \brief Returns the title in the help of the group of a method's options. */
 std::string
 groupOf (const Method& method)
 {
@@ -484,23 +498,23 @@ runMethod (const Method& method,
 {
   if (!options.finds_up) {
     Detected detected = method.detect (options, cloud);
-    // For planes of other methods or presets the confidence would be too high.
+    // With planes of other methods or presets the up axis would seem too reliable.
     const bool is_default =
         method.name == allMethods().front().name && options.preset == "default";
     if (!options.up && is_default)
-      hintOnUp (options, *cloud, detected);
-    hintOnOverlap (method, options, cloud, detected);
+      addHintOnUp (options, *cloud, detected);
+    addHintOnOverlap (method, options, cloud, detected);
     if (options.is_up_of_sequence_estimated)
       detected.settings["up_confidence"] = numberOrNull (options.up_confidence);
     return detected;
   }
   const std::optional<UpAxis> found = findUpAxis (options, *cloud);
   const bool is_seen = found || isSeenFromItsOrigin (*cloud);
-  DetectorOptions known = options;
+  DetectorOptions options_with_up = options;
   if (found)
-    known.up = found->direction.cast<float>();
-  Detected detected = method.detect (known, cloud);
-  hintOnOverlap (method, known, cloud, detected);
+    options_with_up.up = found->direction.cast<float>();
+  Detected detected = method.detect (options_with_up, cloud);
+  addHintOnOverlap (method, options_with_up, cloud, detected);
   detected.up_note = noteOnUp (found, is_seen, detected.up);
   detected.settings["up_confidence"] =
       found ? Settings (found->confidence) : Settings();

@@ -23,26 +23,28 @@ namespace pcl_ops::apps {
 
 class CommandLine;
 
+/** \brief A JSON object or value with parameters, for reports. */
 using Settings = nlohmann::ordered_json;
 
-/** \brief Numbers given on the command line, by option name without "--". */
+/** \brief Numbers given on the command line, by the names of their options without
+ * "--". */
 using GivenNumbers = std::map<std::string, double>;
 
 /** \brief Options of \ref declareMethodOptions, and what programs add to them. */
 struct DetectorOptions {
   /** \brief "default" or "paper". */
   std::string preset = "default";
-  /** \brief Direction against gravity; not given: the default of the parameters. */
+  /** \brief Direction against gravity; nothing: that of the default parameters. */
   std::optional<Eigen::Vector3f> up;
   /** \brief Whether the up axis is to be estimated: --up auto. */
   bool finds_up = false;
   /** \brief Whether the up axis is that of a level camera: --up camera. */
   bool up_is_camera = false;
-  /** \brief Whether one up axis for all clouds of a sequence was looked for: \ref up,
-   * if one was found. */
+  /** \brief Whether a program has estimated one up axis for all clouds of a sequence.
+   * It is \ref up, if the clouds tell one. */
   bool is_up_of_sequence_estimated = false;
-  /** \brief Confidence of the up axis of a sequence, 0 to 1; nothing if none was found.
-   */
+  /** \brief Confidence of the up axis of a sequence, 0 to 1; nothing if the clouds tell
+   * no axis. */
   std::optional<double> up_confidence;
   /** \brief Numbers for parameters of the detector. */
   GivenNumbers numbers;
@@ -52,10 +54,10 @@ struct DetectorOptions {
 
 /** \brief What a detector found in a cloud, and what programs add to it. */
 struct Detected {
-  /** \brief By falling size, in the frame of the searched cloud. pcl_ops_segment moves
+  /** \brief By falling size, in the frame of ShiftedCloud::cloud; pcl_ops_segment moves
    * them to the frame of the file. */
   std::vector<PlaneSegment> planes;
-  /** \brief Kind of each plane, which depends on the other planes; empty if not asked
+  /** \brief Kind of each plane, found with all planes of the cloud; empty if not asked
    * for. */
   std::vector<PlaneKind> kinds;
   /** \brief Convex outline of each plane, in the frame of the file; empty if not asked
@@ -72,25 +74,28 @@ struct Detected {
   /** \brief If \ref planes are pieces: the planes on which they lie, without inliers.
    * Else empty. */
   std::vector<PlaneSegment> whole_planes;
+  /** \brief How long the stages of the detection took. */
   StageDurations timing;
   /** \brief Processor time of the detection [ms]. With --threads other than 1 it is
    * that of the whole process. */
   double processor_time = 0.0;
+  /** \brief The lengths that were used, also where parameters are automatic. */
   UsedLengths used;
-  /** \brief All parameters by option name, for reports (\ref keyOf). */
+  /** \brief All parameters by the keys of their options (\ref keyOf), for reports. */
   Settings settings;
-  /** \brief Parameters of the search, if it was OPS on neighborhoods. */
+  /** \brief Parameters of the detection, if it was OPS on neighborhoods. */
   std::optional<OrientedPointSamplingParameters> search;
   /** \brief The direction against gravity that was used. */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   /** \brief A line on how \ref up was estimated; empty if it was not. */
   std::string up_note;
-  /** \brief If no up axis was given, another one that the planes show reliably. */
+  /** \brief If no up axis was given: the axis that the planes show, if this is reliable
+   * and not \ref up. */
   std::optional<Eigen::Vector3d> suggested_up;
   /** \brief Sentences that suggest options likely to give a better result. */
   std::vector<std::string> hints;
-  /** \brief Which option to change if hardly any point is on a plane, or why no plane
-   * is left: the end of a sentence. Else empty. */
+  /** \brief Which option to change if hardly any point is on a plane, or why all planes
+   * were dropped: the end of a sentence. Else empty. */
   std::string advice;
 };
 
@@ -101,15 +106,15 @@ keyOf (const std::string& option)
   return boost::replace_all_copy (option, "-", "_");
 }
 
-/** \brief Returns the id of its plane for each point; 0 for a point on no plane.
+/** \brief Returns for each point the id of its plane; 0 for a point on no plane.
  * \param[in] points number of points of the cloud
- * \param[in] ids one for each plane; empty: 1, 2, ... */
+ * \param[in] ids one for each plane; empty: the ids are 1, 2, ... */
 std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes,
           std::size_t points,
           const std::vector<std::uint32_t>& ids = {});
 
-/** \brief A detector. */
+/** \brief A detector with its options. */
 struct Method {
   /** \brief Value of --method. */
   std::string name;
@@ -117,7 +122,8 @@ struct Method {
   std::string title;
   /** \brief Declares the options that no other method has. */
   std::function<void (CommandLine&, GivenNumbers&)> declare_options;
-  /** \throws UsageError if options contradict each other, std::bad_alloc */
+  /** \brief Finds the planes of a cloud.
+   * \throws UsageError if options contradict each other, std::bad_alloc */
   std::function<Detected (const DetectorOptions&, const XyzCloud::ConstPtr&)> detect;
 };
 
@@ -129,7 +135,8 @@ allMethods ();
 const Method&
 methodCalled (const std::string& name);
 
-/** \brief Names of the durations in reports; the last one is the whole detection. */
+/** \brief The durations of a detection with their names in reports; the last one is
+ * that of the whole detection. */
 constexpr std::pair<const char*, double StageDurations::*> detection_stages[] = {
     {"search", &StageDurations::search},
     {"normals", &StageDurations::normals},
@@ -138,37 +145,41 @@ constexpr std::pair<const char*, double StageDurations::*> detection_stages[] = 
     {"merging", &StageDurations::merging},
     {"detection", &StageDurations::detection}};
 
-/** \brief Estimates the up axis from the planes that the default preset of OPS finds.
- * Returns nothing if the planes cannot tell or the cloud was not seen from its sensor
- * origin. Of the options only seed and threads are used. */
+/** \brief Estimates the up axis from the planes that the default preset of OPS finds,
+ * with the seed and the number of threads of the options. Other options are not used.
+ * \return nothing if the planes cannot tell, or the cloud was not seen from its sensor
+ * origin */
 std::optional<UpAxis>
 findUpAxis (const DetectorOptions& options, const XyzCloud& cloud);
 
 /** \brief Finds the planes of a cloud by a method. For `--up auto` it first calls \ref
- * findUpAxis, which searches with the default preset of OPS whatever \p method is: the
- * confidence was measured with those planes. If it finds no axis, the default axis is
- * used. Without --up a hint may name another axis. */
+ * findUpAxis, which uses OPS whatever \p method is, as the confidence of an axis was
+ * measured with planes of OPS. If findUpAxis finds no axis, the default axis is used.
+ * If
+ * --up is not given, a hint may name a better axis. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
            const XyzCloud::ConstPtr& cloud);
 
-/** \brief Declares the options of all methods. */
+/** \brief Declares --method, --preset, --up and the parameters of all methods.
+ * \param[out] method, options get the values when the command line is parsed */
 void
 declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& options);
 
-/** \throws UsageError if options were given that only other methods understand */
+/** \brief Checks that the options given are those of the chosen method.
+ * \throws UsageError about an option that only another method has */
 void
 checkMethodOptions (const CommandLine& line, const Method& chosen);
 
-/** \brief Whether the options choose OPS on neighborhoods, the only detector that has
- * stages to look at. */
+/** \brief Whether the options choose OPS on neighborhoods, the only detector that fills
+ * \ref Detected::stages. */
 bool
 hasStages (const Method& method, const DetectorOptions& options);
 
 /** \brief Returns the edge of the largest voxels that --voxel-size asks for [unit of
- * the cloud]; 0 if it is not given. In a cloud shifted by a multiple of this edge,
- * points are in the same voxels. */
+ * the cloud]; 0 if the option is not given. If a cloud is shifted by a multiple of this
+ * edge, the same points are in a voxel as before. */
 double
 voxelStepOf (const DetectorOptions& options);
 

@@ -22,7 +22,7 @@ using PlanarPoint = boost::geometry::model::d2::point_xy<double>;
 constexpr bool is_clockwise = false;
 using Polygon = boost::geometry::model::polygon<PlanarPoint, is_clockwise>;
 
-/** \brief Projects the hull of an extent onto a plane. */
+/** \brief Returns the hull of an extent, projected onto the plane of a frame. */
 Polygon
 projectedHull (const PlaneExtent& extent, const PlaneFrame& frame)
 {
@@ -43,7 +43,7 @@ std::optional<double>
 distanceIfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
 {
   const double max_angle = toRadians (7.0);
-  // Planes farther apart are two: a board in front of a wall.
+  // Planes farther apart are two surfaces, as a board in front of a wall.
   constexpr double max_distance_by_rms = 3.0;
   constexpr double min_size_ratio = 0.02;
   const auto size = static_cast<double> (smaller.inliers.size());
@@ -59,14 +59,15 @@ distanceIfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
   return distance;
 }
 
-/** \brief Computes the extent of each plane at most once, as a plane may be in many
- * pairs. */
+/** \brief Computes the extent of a plane when it is first asked for, and keeps it, as a
+ * plane may be in many pairs. */
 class Extents {
 public:
   Extents (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
   : cloud_ (cloud), planes_ (planes), known_ (planes.size())
   {}
 
+  /** \param[in] plane its index in the list of planes */
   const PlaneExtent&
   operator[] (std::size_t plane)
   {
@@ -81,14 +82,14 @@ private:
   std::vector<std::optional<PlaneExtent>> known_;
 };
 
-/** \brief Whether outlines overlap or nearly touch.
+/** \brief Whether the outlines of two planes pass the test of \ref findOverlapping.
  * \param[in] normal of the larger plane
  * \param[in] inliers_of_smaller number of inliers of the smaller plane */
 bool
-overlapOrTouch (const PlaneExtent& larger,
-                const PlaneExtent& smaller,
-                const Eigen::Vector3d& normal,
-                std::size_t inliers_of_smaller)
+doOutlinesOverlap (const PlaneExtent& larger,
+                   const PlaneExtent& smaller,
+                   const Eigen::Vector3d& normal,
+                   std::size_t inliers_of_smaller)
 {
   constexpr double max_gap_in_spacings = 4.0;
   const PlaneFrame frame (larger.center, normal);
@@ -112,10 +113,10 @@ findOverlapping (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
     for (std::size_t larger = 0; larger < smaller; ++larger) {
       const std::optional<double> distance =
           distanceIfParallel (planes[larger], planes[smaller]);
-      if (distance && overlapOrTouch (extents[larger],
-                                      extents[smaller],
-                                      planes[larger].normal,
-                                      planes[smaller].inliers.size()))
+      if (distance && doOutlinesOverlap (extents[larger],
+                                         extents[smaller],
+                                         planes[larger].normal,
+                                         planes[smaller].inliers.size()))
         return OverlappingPlanes{larger, smaller, *distance};
     }
   return std::nullopt;

@@ -16,22 +16,24 @@
 
 namespace pcl_ops::apps {
 
-// The command line options for the parameters of detectors. visitOwn is the list of
-// them: it calls a function with each parameter and its option.
+// The command line options for the parameters of detectors. The overloads of visitOwn
+// list them: each calls a function with each parameter of a detector and its option.
 
 using OpsParameters = OrientedPointSamplingParameters;
 using FspfParameters = FastSamplingPlaneFilteringParameters;
 using KhtParameters = KernelHoughTransformParameters;
 
-/** \brief How users write a number on the command line: as the parameters hold it, in
- * degrees instead of radians, or as 0 for an automatic value. */
+/** \brief How users write a number on the command line: as the parameters hold it; in
+ * degrees instead of radians; or so that 0 means an automatic value. */
 enum class Written { AsItIs, InDegrees, ZeroForAutomatic };
 
 /** \brief The option for a parameter. */
 struct NumberOption {
-  /** \brief Name and kind of value: "threshold M". */
+  /** \brief Name of the option and kind of its value, for the help: "threshold M". M is
+   * a length in the unit of the cloud, N, K, S and T are whole numbers, R and P numbers
+   * without unit, DEG is an angle. */
   const char* usage;
-  /** \brief Of the number as users write it. */
+  /** \brief Allowed values, as users write them. */
   Range range;
   const char* help;
   Written written = Written::AsItIs;
@@ -53,7 +55,7 @@ toWritten (Number number, const NumberOption& option)
   return number;
 }
 
-/** \brief The reverse of \ref toWritten. */
+/** \brief Converts a number that a user wrote to the form that the parameters hold. */
 template <typename Number>
 Number
 fromWritten (Number number, const NumberOption& option)
@@ -67,10 +69,11 @@ fromWritten (Number number, const NumberOption& option)
   return number;
 }
 
+/** \brief The fewest points that define a plane. */
 constexpr double points_of_a_plane = 3;
 
-/** \brief Calls \p visit (number, option) for each parameter that all detectors have.
- */
+/** \brief Calls \p visit (number, NumberOption) for each parameter that all detectors
+ * have. The help of these parameters has the default values. */
 template <typename Visit>
 void
 visitOwn (PlaneDetectorParameters& parameters, const Visit& visit)
@@ -92,8 +95,8 @@ visitOwn (PlaneDetectorParameters& parameters, const Visit& visit)
       {"threads T", from (0).upTo (1024), "0 for all; the result stays the same (1)"});
 }
 
-/** \brief The same for the parameters that OPS alone has. In the help of these and of
- * the following ones the values of the presets are appended. */
+/** \brief The same for the parameters that OPS alone has. To the help of these
+ * parameters and of the following ones the values of both presets are appended. */
 template <typename Visit>
 void
 visitOwn (OpsParameters& parameters, const Visit& visit)
@@ -160,8 +163,8 @@ visitOwn (KhtParameters& parameters, const Visit& visit)
   visit (clusters.s_beta, {"s-beta R", above (0), "larger: it may be more elongated"});
 }
 
-/** \brief The same for all parameters of a detector: its own and those that all have.
- */
+/** \brief The same for all parameters of a detector: its own and those that all
+ * detectors have. */
 template <typename Parameters, typename Visit>
 void
 visitAll (Parameters& parameters, const Visit& visit)
@@ -170,12 +173,13 @@ visitAll (Parameters& parameters, const Visit& visit)
   visitOwn (static_cast<PlaneDetectorParameters&> (parameters), visit);
 }
 
-/** \brief Type of the number that users write for a parameter: double for an optional.
- */
+/** \brief Type of the number that users write for a parameter of type \p Number: double
+ * if that is an std::optional<double>. */
 template <typename Number>
 using ValueOf = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
 
-/** \brief Sets the parameters of a detector to the numbers that users gave. */
+/** \brief Sets the parameters of a detector to the numbers that users gave; the others
+ * do not change. */
 template <typename Parameters>
 void
 setGiven (const GivenNumbers& given, Parameters& parameters)
@@ -191,7 +195,7 @@ setGiven (const GivenNumbers& given, Parameters& parameters)
 }
 
 /** \brief Declares the options of the parameters that visitOwn visits for this type.
- * \param[in] notes text to append to the help of an option, by its name
+ * \param[in] notes texts to append to the help of options, by the names of these
  * \param[out] given gets the numbers when the command line is parsed */
 template <typename Parameters>
 void

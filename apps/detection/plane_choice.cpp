@@ -19,6 +19,7 @@ constexpr const char* names_of_only = "horizontal, vertical or other (how a plan
                                       "lies); floor, ceiling, wall, slab, roof, "
                                       "ramp or table (what it is); or largest";
 
+/** \brief Returns the parts of a list that commas separate. */
 std::vector<std::string>
 namesIn (const std::string& list)
 {
@@ -29,7 +30,8 @@ namesIn (const std::string& list)
   return names;
 }
 
-/** \throws UsageError that lists the known names, if the list has others */
+/** \brief Checks the value of --only.
+ * \throws UsageError if it is no list of known names, or has "largest" and others */
 void
 checkOnly (const std::string& list)
 {
@@ -59,16 +61,19 @@ isNamed (const std::vector<std::string>& names,
   });
 }
 
-/** \brief An option with its value and how many planes it dropped. */
+/** \brief What an option was set to and what it did. */
 struct OptionReport {
+  /** \brief Its name without "--". */
   const char* option;
+  /** \brief Its value. */
   Settings setting;
+  /** \brief Number of planes that it dropped. */
   std::size_t dropped;
 };
 
-/** \brief Returns a report on each option, in the order in which they drop planes; but
- * --only is first also where it is "largest", which drops planes last.
- * \param[in] dropped by the filter
+/** \brief Returns a report on each option, in the order in which they drop planes. But
+ * --only is the first one also if it is "largest" and drops planes last.
+ * \param[in] dropped how many planes the filter dropped by each condition
  * \param[in] not_named number of planes that --only does not name */
 std::vector<OptionReport>
 reportsOn (const PlaneChoice& choice,
@@ -76,7 +81,7 @@ reportsOn (const PlaneChoice& choice,
            std::size_t not_named)
 {
   const PlaneFilter& filter = choice.filter;
-  // The filter keeps one plane for "largest".
+  // For "largest" the number of planes of the filter is 1 (filterOf).
   const std::size_t not_largest = choice.only == "largest" ? dropped.by_number : 0;
   return {
       {"only", choice.only, not_named + not_largest},
@@ -95,7 +100,9 @@ reportsOn (const PlaneChoice& choice,
 }
 
 /** \brief Declares an option that takes a list of numbers.
- * \param[in] usage such as "slope MIN,MAX" */
+ * \param[in] usage such as "slope MIN,MAX"
+ * \param[out] target gets the numbers when the command line is parsed
+ * \param[in] range allowed values of each number */
 template <std::size_t count>
 Option&
 addNumbers (CommandLine& line,
@@ -113,9 +120,9 @@ addNumbers (CommandLine& line,
   });
 }
 
-/** \brief Returns advice if all planes that were found are dropped. */
+/** \brief Returns Detected::advice for a choice that dropped all planes found. */
 std::string
-adviceOn (const PlaneChoice& choice, const Dropped& dropped)
+adviceOnChoice (const PlaneChoice& choice, const Dropped& dropped)
 {
   const std::string found = std::to_string (dropped.found);
   const Dropped::ByOption& first = dropped.by_option.front();
@@ -150,7 +157,7 @@ Dropped::reasons() const
 void
 declareChoice (CommandLine& line, PlaneChoice& choice)
 {
-  constexpr double right_angle = 90;
+  constexpr double right_angle = 90; // [degree]
   PlaneFilter& filter = choice.filter;
   line.beginGroup (title_of_choice);
   line.add ("only WHICH",
@@ -196,7 +203,7 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
     throw UsageError ("--slope", "ends below where it begins; give MIN,MAX");
   if (line.isGiven ("within") && !line.isGiven ("direction"))
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
-  // Nothing is dropped yet: only names and settings of the reports are used.
+  // Nothing is dropped yet: of the reports only names and values are used.
   for (const OptionReport& report : reportsOn (choice, {}, 0)) {
     const std::string option = report.option;
     // The value of --within is reported whenever --direction is given.
@@ -207,7 +214,8 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
 
 namespace {
 
-/** \brief Returns the filter with all values of the choice, angles in radians. */
+/** \brief Returns PlaneChoice::filter with all members set; its angles are in radians.
+ */
 PlaneFilter
 filterOf (const PlaneChoice& choice, const Eigen::Vector3d& up)
 {
@@ -294,7 +302,7 @@ keepChosen (const PlaneChoice& choice,
   detected.moves = std::move (moves);
   detected.lies_on = std::move (lies_on);
   if (detected.planes.empty() && dropped.found > 0)
-    detected.advice = adviceOn (choice, dropped);
+    detected.advice = adviceOnChoice (choice, dropped);
   return dropped;
 }
 

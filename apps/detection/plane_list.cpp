@@ -29,8 +29,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns twice the area of a ring seen from above, negative if it is
- * clockwise. */
+/** \brief Returns twice the area of a ring as seen from above (against z); negative if
+ * its corners go around clockwise. */
 double
 twiceAreaFromAbove (const Ring& ring)
 {
@@ -41,9 +41,10 @@ twiceAreaFromAbove (const Ring& ring)
   return twice_area;
 }
 
-/** \brief Separators by which WKT or GeoJSON writes nested lists of corners. */
+/** \brief How WKT or GeoJSON writes nested lists of corners. */
 struct Notation {
   const char *begin_list, *begin_corner, *between_numbers, *end_corner, *end_list;
+  /** \brief Number of decimals of coordinates. */
   int decimals;
 
   void
@@ -88,8 +89,8 @@ struct Notation {
   }
 };
 
-/** \brief Returns the mean of the corners from first to last.
- * \param[in] first, last indices of corners; from ring.size() on they wrap around */
+/** \brief Returns the mean of the corners from index first up to index last, which is
+ * included. An index i of ring.size() or more means the corner i - ring.size(). */
 Eigen::Vector3d
 meanOf (const Ring& ring, std::size_t first, std::size_t last)
 {
@@ -99,8 +100,8 @@ meanOf (const Ring& ring, std::size_t first, std::size_t last)
   return from_first + ring[first];
 }
 
-/** \brief Rotates a ring so that it begins with the corner farthest from the mean of
- * all: simplification never removes the first corner. */
+/** \brief Makes the corner farthest from the mean of all corners the first one, as
+ * simplification never removes the first corner. */
 void
 beginAtFarthestCorner (Ring& ring)
 {
@@ -114,8 +115,8 @@ beginAtFarthestCorner (Ring& ring)
 
 using Line = Eigen::ParametrizedLine<double, 3>;
 
-/** \brief Fits a least squares line to the corners from first to last, with indices as
- * in \ref meanOf. */
+/** \brief Fits a least squares line to the corners from index first to last, as in \ref
+ * meanOf. */
 Line
 lineAlong (const Ring& ring, std::size_t first, std::size_t last)
 {
@@ -130,16 +131,18 @@ lineAlong (const Ring& ring, std::size_t first, std::size_t last)
   return {mean, axes.eigenvectors().col (longest)};
 }
 
-/** \brief Returns the point midway between the nearest points of two sides, where they
- * meet. Returns their old corner if the sides are nearly parallel, or meet farther from
- * that corner than the tolerance. */
+/** \brief Returns where the lines through two adjacent sides of a ring meet: the point
+ * midway between the nearest points of both lines.
+ * \param[in] corner of both sides, which is returned if the sides are nearly parallel, or
+ * meet farther from the corner than the tolerance */
 Eigen::Vector3d
 meetingPointOf (const Line& a,
                 const Line& b,
                 const Eigen::Vector3d& corner,
                 double tolerance)
 {
-  constexpr double min_squared_sine = 0.07; // of 15 degrees
+  constexpr double min_squared_sine =
+      0.07; // of an angle of 15 degrees between the lines
   const double cosine = a.direction().dot (b.direction());
   const double squared_sine = 1.0 - cosine * cosine;
   if (squared_sine < min_squared_sine)
@@ -147,7 +150,7 @@ meetingPointOf (const Line& a,
   const Eigen::Vector3d between = a.origin() - b.origin();
   const double along_a = a.direction().dot (between);
   const double along_b = b.direction().dot (between);
-  // Parameters of the nearest points of both lines.
+  // Where on the lines the nearest points are: distances from the origins.
   const double on_a = (cosine * along_b - along_a) / squared_sine;
   const double on_b = (along_b - cosine * along_a) / squared_sine;
   const Eigen::Vector3d meeting =
@@ -155,9 +158,11 @@ meetingPointOf (const Line& a,
   return (meeting - corner).norm() <= tolerance ? meeting : corner;
 }
 
-/** \brief Returns the kept corners, moved to where the lines meet that are fitted to
- * the corners of their sides. Corners that are not moved would cut off area, as noise
- * has moved some of the corners between them outwards.
+/** \brief Returns the kept corners. They are moved: between two kept corners a line is
+ * fitted to all corners of the ring, and a kept corner moves to where two such lines
+ * meet
+ * (\ref meetingPointOf). Without this the ring would lose area, as noise has moved some
+ * of the corners between the kept ones outwards.
  * \param[in] kept ascending indices of corners of the ring */
 Ring
 withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double tolerance)
@@ -174,7 +179,8 @@ withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double toleran
   return fitted;
 }
 
-/** \brief Simplifies a ring as \ref simplified says. */
+/** \brief Simplifies a ring as \ref simplified says.
+ * \return the ring with fewer corners; may have fewer than three */
 Ring
 withFewerCorners (Ring ring, double tolerance)
 {
@@ -184,22 +190,23 @@ withFewerCorners (Ring ring, double tolerance)
   Ring fewer;
   boost::geometry::simplify (closed, fewer, tolerance);
   fewer.pop_back();
-  std::vector<std::size_t> kept; // indices of the corners that are left
+  std::vector<std::size_t> kept; // indices in ring of the corners of fewer
   for (std::size_t i = 0; i < ring.size() && kept.size() < fewer.size(); ++i)
     if (ring[i] == fewer[kept.size()])
       kept.push_back (i);
   return kept.empty() ? Ring() : withFittedSides (ring, kept, tolerance);
 }
 
-/** \brief Leaves out corners near a straight line between others (Douglas & Peucker),
- * and moves the rest to where lines fitted to the sides meet. If fewer than three
- * corners of the outline would be left, the tolerance is halved until three are, for
- * the holes too. Holes with fewer than three corners left are dropped. */
+/** \brief Leaves out corners that are as near as the tolerance to the line between
+ * others (Douglas & Peucker), and moves the other corners (\ref withFittedSides). If
+ * the outline would keep fewer than three corners, the tolerance is halved, for the
+ * holes too, until the outline keeps three. Holes that keep fewer than three corners
+ * are dropped. */
 Rings
 simplified (const Rings& rings, double tolerance)
 {
   constexpr std::size_t min_corners = 3;
-  constexpr int max_halvings = 50;
+  constexpr int max_halvings = 50; // then the outline stays as it is, without holes
   Rings simple;
   for (const Ring& ring : rings) {
     const bool is_outline = simple.empty();
@@ -218,6 +225,7 @@ simplified (const Rings& rings, double tolerance)
 
 using Json = nlohmann::ordered_json;
 
+/** \brief What is in front of the number of a reference system. */
 const std::string prefix_of_crs = "EPSG:";
 
 /** \brief Whether the text is EPSG:N, with N of 1 to 7 digits. */
@@ -232,15 +240,23 @@ isCrs (const std::string& text)
          number.find_first_not_of ("0123456789") == std::string::npos;
 }
 
-/** \brief Returns the names and values of a plane's columns, one number per column. */
-std::vector<std::pair<std::string, Json>>
+/** \brief A column of a list of planes, and its value for a plane: a number, a text or
+ * null. */
+struct PlaneColumn {
+  std::string name;
+  Json value;
+};
+
+/** \brief Returns all columns for a plane.
+ * \param[in] plane as of \ref planeObject */
+std::vector<PlaneColumn>
 columnsOf (const Json& plane)
 {
   const Json& coefficients = plane.at ("coefficients");
   const Json& centroid = plane.at ("centroid");
   const Json& normal = plane.at ("normal");
   const Json& extent = plane.at ("extent");
-  std::vector<std::pair<std::string, Json>> columns = {
+  std::vector<PlaneColumn> columns = {
       {"id", plane.at ("id")},
       {"orientation", plane.at ("orientation")},
       {"kind", plane.value ("kind", Json())}, // lists of earlier versions have none
@@ -264,12 +280,12 @@ columnsOf (const Json& plane)
       {"height", plane.at ("height")}};
   // A piece also has the id of the plane it lies on.
   if (plane.contains ("plane"))
-    columns.insert (columns.begin() + 1, {"plane", plane.at ("plane")});
+    columns.insert (columns.begin() + 1, PlaneColumn{"plane", plane.at ("plane")});
   return columns;
 }
 
-/** \brief Returns the number of decimals of coordinates: 3, or more if a thousandth of
- * the smallest width needs them; 12 at most. */
+/** \brief Returns the number of decimals of coordinates: as many as a thousandth of the
+ * smallest width of a plane needs, but at least 3 and at most 12. */
 int
 decimalsFor (const Json& planes)
 {
@@ -282,9 +298,9 @@ decimalsFor (const Json& planes)
   return static_cast<int> (std::min<double> (decimals, max_decimals));
 }
 
-/** \brief Returns the outlines of a plane, simplified if asked for. Seen from above
- * they are counter-clockwise and holes clockwise, as maps require. A ring is not
- * reversed if its area seen from above is 0. */
+/** \brief Returns the parts of a plane for a map, simplified if the options ask for it.
+ * Seen from above outlines are counter-clockwise and holes clockwise, as maps require;
+ * a ring without area seen from above keeps its direction. */
 Polygons
 outlineOf (const Json& plane, const MapOptions& options)
 {
@@ -313,7 +329,8 @@ toWkt (const Polygons& polygons, int decimals)
          Notation{"(", "", " ", "", ")", decimals}.text (polygons);
 }
 
-/** \brief Returns a geometry of GeoJSON (RFC 7946); null without polygons. */
+/** \brief Returns polygons as the text of a geometry of GeoJSON (RFC 7946), "null" if
+ * there are none. */
 std::string
 toGeoJsonGeometry (const Polygons& polygons, int decimals)
 {
@@ -324,8 +341,9 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals)
          Notation{"[", "[", ",", "]", "]", decimals}.text (polygons) + "}";
 }
 
-/** \brief Returns all rings of a vertical plane, such as a facade, as closed lines: a
- * polygon without area on the map is not valid (OGC 06-103r4, 6.1.11.1). */
+/** \brief Returns all rings of a vertical plane, such as a facade, as a geometry of
+ * closed lines: a polygon without area on the map is not valid (OGC
+ * 06-103r4, 6.1.11.1). "null" if there are none. */
 std::string
 toGeoJsonLines (const Polygons& polygons, int decimals)
 {
@@ -338,8 +356,8 @@ toGeoJsonLines (const Polygons& polygons, int decimals)
          Notation{"[", "[", ",", "]", "]", decimals}.text (Polygons{rings}) + "}";
 }
 
-/** \brief Whether a plane is named vertical, or the area of its outline on the map is
- * less than a thousandth of its area. */
+/** \brief Whether a plane has the orientation "vertical", or the area of its outline on
+ * the map is less than a thousandth of its area. */
 bool
 isUpright (const Json& plane)
 {
@@ -348,6 +366,8 @@ isUpright (const Json& plane)
          plane.at ("orientation") == toString (Orientation::Vertical);
 }
 
+/** \brief Returns a .csv with a line for each plane.
+ * \param[in] planes an array of \ref planeObject */
 std::string
 toCsv (const Json& planes, const MapOptions& options)
 {
@@ -370,10 +390,12 @@ toCsv (const Json& planes, const MapOptions& options)
   return csv;
 }
 
+/** \brief Returns a GeoJSON map with a feature for each plane.
+ * \param[in] planes an array of \ref planeObject */
 std::string
 toGeoJson (const Json& planes, const MapOptions& options)
 {
-  const std::string prefix_of_normal = "normal_"; // normal_x becomes nx
+  const std::string prefix_of_normal = "normal_"; // the property of normal_x is nx
   std::vector<std::string> features;
   const int decimals = decimalsFor (planes);
   for (const Json& plane : planes) {
@@ -392,12 +414,14 @@ toGeoJson (const Json& planes, const MapOptions& options)
   return featureCollection (features, options.crs);
 }
 
+/** \brief Whether a file has a format of maps. */
 bool
 isMap (const std::string& file)
 {
   return hasExtension (file, {".geojson", ".gpkg"});
 }
 
+/** \throws UsageError if the file is a GeoPackage and this build has no SQLite */
 void
 checkCanWrite (const std::string& map)
 {
@@ -489,15 +513,15 @@ turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scan
 {
   if (scans.empty())
     return;
-  const auto isBefore = [] (std::size_t point, const Scan& scan) {
+  const auto is_before = [] (std::size_t point, const Scan& scan) {
     return point < scan.first;
   };
   for (PlaneSegment& plane : planes) {
-    std::ptrdiff_t votes =
-        0; // inliers whose scanner is on the normal's side, minus others
+    // Number of inliers whose scanner is on the side of the normal, minus the others.
+    std::ptrdiff_t votes = 0;
     for (const pcl::index_t point : plane.inliers) {
-      const Scan& scan = *std::prev (
-          std::upper_bound (scans.begin(), scans.end(), std::size_t (point), isBefore));
+      const Scan& scan = *std::prev (std::upper_bound (
+          scans.begin(), scans.end(), std::size_t (point), is_before));
       votes += plane.normal.dot (scan.position - plane.centroid) < 0.0 ? -1 : 1;
     }
     if (votes < 0)
@@ -557,8 +581,8 @@ polygonsIn (const Json& plane)
 void
 declareMeter (CommandLine& line, double& meter)
 {
-  constexpr double largest = 1e6;
-  line.add ("meter N", meter, from (1.0 / largest).upTo (largest))
+  constexpr double max_meter = 1e6; // for a cloud in micrometers
+  line.add ("meter N", meter, from (1.0 / max_meter).upTo (max_meter))
       .help ("units of the cloud in a meter, for kinds and plans: 1000 of mm (1)");
 }
 

@@ -37,13 +37,13 @@ struct nlohmann::adl_serializer<Eigen::Vector3d> {
 
 namespace pcl_ops::apps {
 
-/** \brief Corners of a closed polygon; the first corner is not repeated at the end. */
+/** \brief The corners of a closed line; the first corner is not repeated at the end. */
 using Ring = std::vector<Eigen::Vector3d>;
 
-/** \brief The outline of a plane, then its holes; empty for a plane without area. */
+/** \brief The outline of a part of a plane, then the holes in it. */
 using Rings = std::vector<Ring>;
 
-/** \brief The outlines of all parts of a plane. */
+/** \brief All parts of a plane; empty for a plane without area. */
 using Polygons = std::vector<Rings>;
 
 class CommandLine;
@@ -53,8 +53,8 @@ std::string
 jsonText (const nlohmann::ordered_json& json);
 
 /** \brief Returns a GeoJSON FeatureCollection (RFC 7946) with one feature per line.
- * \param[in] features GeoJSON texts
- * \param[in] crs "EPSG:N", the reference system; empty: not named */
+ * \param[in] features GeoJSON texts, one for each feature
+ * \param[in] crs "EPSG:N", the reference system; if empty, the text names none */
 std::string
 featureCollection (const std::vector<std::string>& features, const std::string& crs);
 
@@ -65,34 +65,40 @@ featureCollection (const std::vector<std::string>& features, const std::string& 
 std::string
 mapFor (const std::string& file, const std::string& geo_json, const std::string& layer);
 
-/** \brief Returns the orientation of a name; nothing for an unknown name. */
+/** \brief Returns the orientation with a name (\ref toString); nothing for other names.
+ */
 std::optional<Orientation>
 orientationCalled (const std::string& name);
 
-/** \brief Returns the kind of a name; nothing for an unknown name. */
+/** \brief Returns the kind with a name (\ref toString); nothing for other names. */
 std::optional<PlaneKind>
 kindCalled (const std::string& name);
 
-/** \brief Turns all normals up, except those of vertical planes. This is for surveys,
- * which were not seen from one sensor position. */
+/** \brief Reverses normals that point down, except those of vertical planes. This is
+ * for surveys, which were not seen from one sensor position.
+ * \param[in] up direction against gravity */
 void
 turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up);
 
-/** \brief Turns each normal to the side where the scanners of most inliers stood.
- * \param[in] scans in the frame of the planes and in the order of their points, the
- * first one from point 0 on; empty: the normals stay as they are */
+/** \brief Turns each normal to the side of the plane on which the scanners stood that
+ * measured most of its inliers.
+ * \param[in] scans of the cloud, in the frame of the planes and in the order of their
+ * points; the first scan begins with point 0. If empty, the normals stay as they are.
+ */
 void
 turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scans);
 
-/** \brief Returns the JSON object of a plane in a list of planes. Its "points" is the
- * count of the moments, not of the inliers. "slope" is the angle to the horizontal
- * [degree], 0 to 90. "aspect" is the downhill direction (of a vertical plane the
- * direction of its normal), clockwise from north, the y axis [degree], 0 to 360. It is
- * null for a level plane, or if z is not up. "height" is the height of the centroid
- * along the up axis [unit of the cloud].
- * \param[in] kind as found among all planes of the cloud
+/** \brief Returns the JSON object of a plane in a list of planes. Keys whose meaning
+ * the name does not tell:
+ * - "points": the count of the moments, not of the inliers;
+ * - "slope": the angle to the horizontal [degree], 0 to 90;
+ * - "aspect": the downhill direction (of a vertical plane the direction of its normal),
+ *   clockwise from north, the y axis [degree], from 0 up to 360; null for a level
+ * plane, or if z is not up;
+ * - "height": the coordinate of the centroid along the up axis [unit of the cloud].
+ * \param[in] kind as found with all planes of the cloud
  * \param[in] up unit vector against gravity, in the frame of the plane
- * \param[in] parts further outlines, besides the hull of the extent */
+ * \param[in] parts of the plane besides the one that the hull of the extent surrounds */
 nlohmann::ordered_json
 planeObject (std::size_t id,
              const PlaneSegment& segment,
@@ -101,16 +107,19 @@ planeObject (std::size_t id,
              const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(),
              const Polygons& parts = {});
 
-/** \brief Reads all outlines of a \ref planeObject; empty if its hull is empty. */
+/** \brief Reads all parts of a plane from its \ref planeObject: first the one with the
+ * hull. Empty if the hull is empty. */
 Polygons
 polygonsIn (const nlohmann::ordered_json& plane);
 
 /** \brief Options for writing a list of planes as a map. */
 struct MapOptions {
-  /** \brief "EPSG:N", the reference system of the coordinates; empty: not named. */
+  /** \brief "EPSG:N", the reference system of the coordinates; if empty, the map names
+   * none. */
   std::string crs;
-  /** \brief Tolerance of the simplification of outlines [unit of the cloud]: corners
-   * this near to a straight line are left out. 0: keeps all. */
+  /** \brief Tolerance of the simplification of outlines [unit of the cloud]: a corner
+   * that is as near as this to the line between other corners is left out. 0: all
+   * corners are kept. */
   double simplify = 0.0;
 };
 
@@ -119,14 +128,15 @@ void
 declareMap (CommandLine& line, MapOptions& options);
 
 /** \brief Declares --meter.
- * \param[out] meter units of the cloud in one meter, for the rules on buildings: 1000
- * for a cloud in millimeters */
+ * \param[out] meter length of a meter in the unit of the cloud, for the rules on
+ * buildings: 1000 for a cloud in millimeters */
 void
 declareMeter (CommandLine& line, double& meter);
 
-/** \brief Checks that the options of \ref declareMap have an effect.
- * \param[in] planes file name of the list of planes
- * \param[in] maps further outputs that may name a reference system
+/** \brief Checks that the options of \ref declareMap have an effect, and that this
+ * build can write the maps.
+ * \param[in] planes name of the file with the list of planes; may be empty
+ * \param[in] maps names of further outputs that may name a reference system
  * \throws UsageError if --crs or --simplify is given but no file has a format for it,
  * or if a file is a GeoPackage and this build has no SQLite */
 void
@@ -134,10 +144,11 @@ checkMap (const CommandLine& line,
           const std::string& planes,
           const std::vector<std::string>& maps = {});
 
-/** \brief Returns a list of planes in the format that the extension of a file asks
- * for. A .json gets the list unchanged. A .csv has the outline as its last column. In
- * .csv, .geojson and .gpkg vectors are split into one number per column or property, as
- * GDAL's formats have no lists.
+/** \brief Returns the content of a file with a list of planes, in the format of its
+ * extension: .csv, .geojson, .gpkg, else JSON, which has the list unchanged. In the
+ * other formats each number of a vector has its own column or property, as GDAL's
+ * formats have no lists. The last column of a .csv is the outline.
+ * \param[in] file name of the file, for its extension
  * \param[in] list an object whose "planes" is an array of \ref planeObject */
 std::string
 planesFor (const std::string& file,

@@ -21,12 +21,13 @@ namespace {
 
 using Eigen::Vector3f;
 
-/** \brief Exact nearest neighbor search by bounding boxes of blocks of 64 points. The
- * boxes take hardly longer to compute than the points take to read. */
+/** \brief Exact nearest neighbor search by bounding boxes of blocks of 64 points. To
+ * compute the boxes takes hardly longer than to read the points. */
 class BlockSearch {
 public:
-  /** \brief Order of the points in blocks. Sorted points, as the leaves of a k-d tree
-   * have them, have small boxes. To sort them saves time if queries are many. */
+  /** \brief Order in which points are put into blocks. If they are sorted as the leaves
+   * of a k-d tree, blocks have small boxes. For many queries this saves more time than
+   * sorting takes. */
   enum class Order { AsInCloud, Sorted };
 
   BlockSearch (const XyzCloud& cloud, Order order)
@@ -51,22 +52,23 @@ public:
     }
   }
 
-  /** \return the \p count nearest points, or all if there are fewer, in any order */
+  /** \brief Returns the \p count points nearest to \p query, or all points if there are
+   * fewer, in any order. */
   std::vector<Vector3f>
   nearest (const Vector3f& query, std::size_t count) const
   {
-    std::vector<float> squared_to_box;
+    std::vector<float> squared_distances;
     for (const Box& box : boxes_)
-      squared_to_box.push_back (box.squaredExteriorDistance (query));
-    const auto nearest_box =
-        std::size_t (std::min_element (squared_to_box.begin(), squared_to_box.end()) -
-                     squared_to_box.begin());
+      squared_distances.push_back (box.squaredExteriorDistance (query));
+    const auto nearest_box = std::size_t (
+        std::min_element (squared_distances.begin(), squared_distances.end()) -
+        squared_distances.begin());
     std::vector<Candidate> best;
     if (!boxes_.empty())
       visit (nearest_box, query, count, best);
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       const bool may_be_nearer =
-          best.size() < count || squared_to_box[i] < best.front().squared_distance;
+          best.size() < count || squared_distances[i] < best.front().squared_distance;
       if (i != nearest_box && may_be_nearer)
         visit (i, query, count, best);
     }
@@ -80,7 +82,9 @@ private:
   using Box = Eigen::AlignedBox3f;
   /** \brief A point that may be one of the nearest ones. */
   struct Candidate {
+    /** \brief From the query. */
     float squared_distance;
+    /** \brief Index of the point in \ref points_. */
     std::size_t point;
 
     friend bool
@@ -92,8 +96,9 @@ private:
   };
   static constexpr std::size_t block_size = 64;
 
-  /** \brief Sorts the points from index first up to end by halves along the longest
-   * axis of their bounding box. */
+  /** \brief Sorts the points from index first up to end, which is not included: divides
+   * them into two halves along the longest axis of their bounding box, and each half in
+   * the same way, until there are blocks. */
   void
   sort (std::size_t first, std::size_t end)
   {
@@ -117,8 +122,9 @@ private:
     sort (middle, end);
   }
 
-  /** \brief Adds the points of a block to the best candidates if they are nearer.
-   * \param[in,out] best a heap of up to count candidates, the farthest at the front */
+  /** \brief Puts the points of a block among the best candidates, if they are nearer.
+   * \param[in] block index of the block
+   * \param[in,out] best a heap of up to count candidates, the farthest one at the front */
   void
   visit (std::size_t block,
          const Vector3f& query,
@@ -127,40 +133,44 @@ private:
   {
     const std::size_t first = block * block_size;
     const std::size_t size = std::min (block_size, points_.size() - first);
-    std::array<float, block_size> squared{};
+    std::array<float, block_size> squared_distances{};
     for (std::size_t i = 0; i < size; ++i) {
       const float x = x_[first + i] - query.x();
       const float y = y_[first + i] - query.y();
       const float z = z_[first + i] - query.z();
-      squared[i] = x * x + y * y + z * z;
+      squared_distances[i] = x * x + y * y + z * z;
     }
     const auto is_too_far = [&] (float squared_distance) {
       return best.size() == count && squared_distance >= best.front().squared_distance;
     };
-    if (is_too_far (*std::min_element (squared.begin(), squared.begin() + size)))
+    if (is_too_far (*std::min_element (squared_distances.begin(),
+                                       squared_distances.begin() + size)))
       return;
     for (std::size_t i = 0; i < size; ++i) {
-      if (is_too_far (squared[i]))
+      if (is_too_far (squared_distances[i]))
         continue;
       if (best.size() == count) {
         std::pop_heap (best.begin(), best.end());
         best.pop_back();
       }
-      best.push_back ({squared[i], first + i});
+      best.push_back ({squared_distances[i], first + i});
       std::push_heap (best.begin(), best.end());
     }
   }
 
+  /** \brief The finite points of the cloud, block by block. */
   std::vector<Vector3f> points_;
-  /** \brief The same coordinates, axis by axis: faster to read in \ref visit. */
+  /** \brief The coordinates of \ref points_, axis by axis: faster to read in \ref
+   * visit.
+   */
   std::vector<float> x_, y_, z_;
-  /** \brief Of each block of points. */
+  /** \brief The bounding boxes of the blocks. */
   std::vector<Box> boxes_;
 };
 
-/** \brief What the neighborhood of a point tells. */
+/** \brief Noise and spacing of the neighborhood of a point [m]; see \ref Thickness. */
 struct Surroundings {
-  double noise, spacing; // [m]
+  double noise, spacing;
 };
 
 /** \brief Returns the noise and spacing of the neighborhood of a point; nothing if even
@@ -171,9 +181,10 @@ surroundingsOf (const Vector3f& point,
                 std::size_t min_neighbors,
                 const BlockSearch& search)
 {
-  // The rings of a lidar are up to some twenty times as far apart as their points.
+  // The rings of a lidar are up to some twenty times as far apart as the points of a
+  // ring.
   const std::size_t max_neighbors = 16 * min_neighbors;
-  constexpr double min_width_by_length = 1.0 / 3.0;
+  constexpr double min_width_by_length = 1.0 / 3.0; // of a neighborhood that is no line
   constexpr double min_noise_by_spacing = 0.1;
   constexpr double parameters_of_plane = 3.0;
   for (std::size_t count = min_neighbors; count <= max_neighbors; count *= 2) {
@@ -191,7 +202,7 @@ surroundingsOf (const Vector3f& point,
         variances[1] < min_width_by_length * min_width_by_length * variances[2];
     if (is_nearly_line)
       continue;
-    // The area of an ellipse with evenly spread points of these variances.
+    // The area of an ellipse in which evenly spread points have these variances.
     const double area = 4.0 * M_PI * std::sqrt (variances[1] * variances[2]);
     const double spacing = std::sqrt (area / moments.count);
     const double noise = std::sqrt (std::max (0.0, variances[0]) * moments.count /
@@ -205,39 +216,40 @@ surroundingsOf (const Vector3f& point,
 std::uint64_t
 hashOf (const pcl::PointXYZ& point)
 {
-  constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15U; // 2^64 / 1.618...
+  constexpr std::uint64_t multiplier = 0x9e3779b97f4a7c15U; // 2^64 / golden ratio, odd
   std::uint64_t hash = 0;
   for (const float coordinate : {point.x, point.y, point.z}) {
     std::uint32_t bits = 0;
     std::memcpy (&bits, &coordinate, sizeof bits);
-    hash = (hash ^ bits) * golden_ratio;
+    hash = (hash ^ bits) * multiplier;
     hash ^= hash >> 29U; // the upper bits are mixed best
   }
   return hash;
 }
 
-/** \brief Chooses up to \p count inliers by a hash of their coordinates, so that the
- * choice does not depend on their order. */
+/** \brief Returns the \p count inliers with the smallest hashes of their coordinates,
+ * or all if there are fewer. The choice does not depend on the order of the inliers. */
 pcl::Indices
 someOf (const pcl::Indices& inliers, const XyzCloud& cloud, std::size_t count)
 {
   using HashAndIndex = std::pair<std::uint64_t, pcl::index_t>;
-  std::vector<HashAndIndex> least; // a heap, the greatest hash at the front
+  std::vector<HashAndIndex>
+      smallest; // a heap, the largest of these hashes at the front
   for (const pcl::index_t inlier : inliers) {
-    least.emplace_back (hashOf (cloud[std::size_t (inlier)]), inlier);
-    if (least.size() > count && least.back() >= least.front()) {
-      least.pop_back();
+    smallest.emplace_back (hashOf (cloud[std::size_t (inlier)]), inlier);
+    if (smallest.size() > count && smallest.back() >= smallest.front()) {
+      smallest.pop_back();
       continue;
     }
-    std::push_heap (least.begin(), least.end());
-    if (least.size() > count) {
-      std::pop_heap (least.begin(), least.end());
-      least.pop_back();
+    std::push_heap (smallest.begin(), smallest.end());
+    if (smallest.size() > count) {
+      std::pop_heap (smallest.begin(), smallest.end());
+      smallest.pop_back();
     }
   }
-  std::sort (least.begin(), least.end());
+  std::sort (smallest.begin(), smallest.end());
   pcl::Indices chosen;
-  for (const auto& [hash, inlier] : least)
+  for (const auto& [hash, inlier] : smallest)
     chosen.push_back (inlier);
   return chosen;
 }
@@ -249,13 +261,13 @@ thicknessOf (const XyzCloud& cloud,
              const std::vector<PlaneSegment>& planes,
              std::size_t probes)
 {
-  // Of a small plane a quarter of its inliers, so that points around it do not outweigh
-  // its own.
+  // In a small plane a neighborhood has a quarter of the number of inliers, so that
+  // most of its points are on the plane.
   constexpr std::size_t min_neighbors = 20;
   constexpr std::size_t max_neighbors = 80;
   constexpr std::size_t inliers_per_neighbor = 4;
-  constexpr std::size_t few_queries = 50;
-  const bool has_many_queries = planes.size() * probes > few_queries;
+  constexpr std::size_t max_queries_unsorted = 50; // for fewer, sorting takes longer
+  const bool has_many_queries = planes.size() * probes > max_queries_unsorted;
   const BlockSearch search (cloud,
                             has_many_queries ? BlockSearch::Order::Sorted
                                              : BlockSearch::Order::AsInCloud);

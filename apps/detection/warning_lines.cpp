@@ -16,26 +16,27 @@ WarningLines::add (const std::string& input, const std::vector<ResultWarning>& w
     });
     if (line == lines_.end())
       line = lines_.insert (line, {warning, input});
-    ++line->inputs;
+    ++line->input_count;
   }
 }
 
 std::vector<std::string>
 WarningLines::lines() const
 {
-  std::vector<Line> by_inputs = lines_;
+  std::vector<Line> sorted = lines_;
   std::stable_sort (
-      by_inputs.begin(), by_inputs.end(), [] (const Line& one, const Line& other) {
-        return one.inputs > other.inputs;
+      sorted.begin(), sorted.end(), [] (const Line& one, const Line& other) {
+        return one.input_count > other.input_count;
       });
-  by_inputs.resize (std::min (by_inputs.size(), ResultContext().max_warnings));
+  sorted.resize (std::min (sorted.size(), ResultContext().max_warnings));
   std::vector<std::string> lines;
-  for (const Line& line : by_inputs) {
-    const std::size_t others = line.inputs - 1;
+  for (const Line& line : sorted) {
+    const std::size_t other_inputs = line.input_count - 1;
     lines.push_back (line.first_input +
-                     (others == 0   ? ""
-                      : others == 1 ? " and 1 other"
-                                    : " and " + std::to_string (others) + " others") +
+                     (other_inputs == 0 ? ""
+                      : other_inputs == 1
+                          ? " and 1 other"
+                          : " and " + std::to_string (other_inputs) + " others") +
                      ": " + line.warning.text);
   }
   return lines;
@@ -46,7 +47,7 @@ putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings
 {
   ResultContext context;
   context.plan = counts;
-  // Without a cloud and planes only the floor plan can give a warning.
+  // As cloud and planes are empty, only the floor plan can give a warning.
   std::vector<ResultWarning> plan_first = resultWarnings ({}, {}, context);
   if (plan_first.empty())
     return;
@@ -57,7 +58,8 @@ putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings
       plan_first.push_back (warning);
       continue;
     }
-    std::string& text = plan_first.front().text; // "what is doubtful: the reason"
+    // "what is doubtful: the reason"
+    std::string& text = plan_first.front().text;
     text = text.substr (0, text.find (": ") + 2) + warning.text;
   }
   plan_first.resize (std::min (plan_first.size(), context.max_warnings));

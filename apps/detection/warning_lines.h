@@ -20,8 +20,9 @@ public:
   add (const std::string& input, const std::vector<ResultWarning>& warnings);
 
   /** \brief Returns a line for each of the three codes (ResultContext::max_warnings)
-   * with the most inputs, the code with the most inputs first. The text is that of the
-   * first input: "a.pcd and 11 others: what is doubtful about a.pcd; what to do". */
+   * that most inputs have, the code of the most inputs first. A line has the warning on
+   * the first input: "a.pcd and 11 others: what is doubtful about a.pcd; what to do".
+   */
   std::vector<std::string>
   lines () const;
 
@@ -32,20 +33,21 @@ private:
     ResultWarning warning;
     std::string first_input;
     /** \brief Number of inputs with this code. */
-    std::size_t inputs = 0;
+    std::size_t input_count = 0;
   };
   std::vector<Line> lines_;
 };
 
 /** \brief If a floor plan has no wall, puts a warning with the reason before the
- * others. A warning on the unit of the cloud becomes that reason and is removed, so
- * that it is not printed twice. The first ResultContext::max_warnings are kept. */
+ * others. If there is a warning on the unit of the cloud, its text becomes the reason,
+ * and it is removed, so that it is not printed twice. Only the first
+ * ResultContext::max_warnings warnings are kept. */
 void
 putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
 
 /** \brief If the reference system of a LAS file has x and y in meters and z in feet, or
- * the reverse, puts a warning on it before the others. The first
- * ResultContext::max_warnings are kept. */
+ * the reverse, puts a warning on these units before the others. Only the first
+ * ResultContext::max_warnings warnings are kept. */
 void
 putWarningOnHeights (LasFile& las, std::vector<ResultWarning>& warnings);
 
@@ -53,7 +55,7 @@ putWarningOnHeights (LasFile& las, std::vector<ResultWarning>& warnings);
 CoordinateUnit
 coordinateUnitOf (LasFile& las);
 
-/** \brief Returns a JSON array of objects with the keys code and text. */
+/** \brief Returns warnings as a JSON array of objects with the keys code and text. */
 nlohmann::ordered_json
 warningsToJson (const std::vector<ResultWarning>& warnings);
 

@@ -11,6 +11,7 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
+/** Returns a value as text for a table or a line. */
 std::string
 cellOf (const Answer& value)
 {
@@ -36,26 +37,26 @@ decimal (double number, int decimals)
 std::string
 tableOf (const std::string& title, const Answer& list)
 {
-  constexpr std::size_t min_width = 3; // of Markdown
+  constexpr std::size_t min_width = 3; // what some readers of Markdown ask for
   std::string header;
-  std::string rule;
+  std::string delimiter_row; // below the header, with a colon on the aligned side
   std::vector<std::string> rows (list.size());
   for (const auto& [name, ignored] : list[0].items()) {
     std::size_t width = std::max (min_width, name.size());
     for (const Answer& object : list)
       width = std::max (width, cellOf (object[name]).size());
-    const bool is_first = header.empty(); // aligned left, all others right
+    const bool is_first = header.empty(); // aligned left; other columns right
     const auto padded = [&] (const std::string& cell) {
       const std::string gap (width - cell.size(), ' ');
       return "| " + (is_first ? cell + gap : gap + cell) + " ";
     };
     header += padded (name);
-    rule +=
+    delimiter_row +=
         (is_first ? "|:" : "|-") + std::string (width, '-') + (is_first ? "-" : ":");
     for (std::size_t i = 0; i < rows.size(); ++i)
       rows[i] += padded (cellOf (list[i][name]));
   }
-  std::string table = "**" + title + "**\n\n" + header + "|\n" + rule + "|\n";
+  std::string table = "**" + title + "**\n\n" + header + "|\n" + delimiter_row + "|\n";
   for (const std::string& row : rows)
     table += row + "|\n";
   return table + "\n";

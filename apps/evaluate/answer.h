@@ -16,8 +16,9 @@ using Answer = nlohmann::ordered_json;
 std::string
 decimal (double number, int decimals);
 
-/** Returns a Markdown table with a row for each object. Columns are aligned for the
- * terminal. Null and NaN are "-"; other floating-point numbers have four decimals.
+/** Returns a Markdown table with a row for each object and a column for each key.
+ * Columns are padded, so that they are aligned in a terminal, too. Null and NaN are
+ * "-"; other floating-point numbers have four decimals.
  * \param[in] list at least one object, all with the same keys */
 std::string
 tableOf (const std::string& title, const Answer& list);

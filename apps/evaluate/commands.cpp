@@ -19,7 +19,7 @@ namespace {
 void
 printHelp (const std::vector<Command>& commands)
 {
-  constexpr int width_of_calls = 28;
+  constexpr int width_of_calls = 28; // command and arguments [characters]
   std::cout << "Usage: pcl_ops_evaluate COMMAND [arguments] [options]\n"
                "Compares planes and labels as the paper of OPS does (Sun & Mordohai, "
                "ICRA 2019).\n"
@@ -38,6 +38,7 @@ printHelp (const std::vector<Command>& commands)
                "  --version                    print the version and exit\n";
 }
 
+/** Throws a UsageError that names a similar command if there is one. */
 [[noreturn]] void
 refuseUnknown (const std::string& name, const std::vector<Command>& commands)
 {

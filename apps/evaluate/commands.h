@@ -13,7 +13,8 @@ struct Command {
   /** As in the help: "TRUTH RESULT". */
   std::string arguments;
   std::string summary;
-  /** \param[in] argv name of the command, then its arguments and options
+  /** Runs the command.
+   * \param[in] argv name of the command, then its arguments and options
    * \return the exit code */
   int (*run) (int argc, const char* const* argv);
 };

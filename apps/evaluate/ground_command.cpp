@@ -24,10 +24,11 @@ using namespace apps;
 
 namespace {
 
-/** Numbers of classes of points. */
+/** Numbers of classes of points, such as road or building. */
 using Classes = std::set<std::uint32_t>;
 
-/** Returns the texts between the commas of a list; one after a last comma is empty. */
+/** Returns the texts between the commas of a list. An empty list, and a comma at the
+ * end of a list, give an empty text. */
 std::vector<std::string>
 partsOf (const std::string& list)
 {
@@ -38,8 +39,8 @@ partsOf (const std::string& list)
   return parts;
 }
 
-/** \throw UsageError that names the option if the list has anything but class numbers
- */
+/** \param[in] list class numbers, separated by commas
+ * \throw UsageError that names the option if the list has anything else */
 Classes
 classesIn (const std::string& option, const std::string& list)
 {
@@ -49,7 +50,8 @@ classesIn (const std::string& option, const std::string& list)
   return classes;
 }
 
-/** \throw UsageError if a name in the list is no kind of plane, or is there twice */
+/** \param[in] list names of kinds of planes, separated by commas
+ * \throw UsageError if a name is unknown, or is there twice */
 std::set<PlaneKind>
 kindsIn (const std::string& list)
 {
@@ -70,10 +72,12 @@ kindsIn (const std::string& list)
 
 /** What counts as ground, in the truth and in the result. */
 struct GroundRules {
-  /** True classes; by default those of SemanticKITTI. Ground: road, parking, sidewalk,
-   * other ground, lane marking, terrain. Ignored: unlabeled, outlier, vegetation, as
-   * for Patchwork++ (Lee, Lim & Myung, IROS 2022, section IV-A). */
+  // Defaults are the classes of SemanticKITTI as they are used for Patchwork++ (Lee,
+  // Lim & Myung, IROS 2022, section IV-A).
+  /** True classes of the ground: road, parking, sidewalk, other ground, lane marking,
+   * terrain. */
   Classes ground = {40, 44, 48, 49, 60, 72};
+  /** True classes whose points do not count: unlabeled, outlier, vegetation. */
   Classes ignored = {0, 1, 70};
   /** Kinds of planes of the result that are taken for the ground. */
   std::set<PlaneKind> kinds = {PlaneKind::Floor, PlaneKind::Ramp};
@@ -106,6 +110,8 @@ struct ClassCounts {
 
 using CountsByClass = std::map<std::uint32_t, ClassCounts>;
 
+/** Counts the finite points.
+ * \param[in] is_ground for each point, whether the result has it on the ground */
 CountsByClass
 countsByClass (const LabeledCloud& truth, const std::vector<bool>& is_ground)
 {
@@ -189,7 +195,7 @@ groundCommand (int argc, const char* const* argv)
   std::string result_file;
   GroundRules rules;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  bool json = false;
+  bool prints_json = false;
   CommandLine line (
       "pcl_ops_evaluate ground",
       "Tells how well the ground is found: points of the true classes of the ground\n"
@@ -200,7 +206,7 @@ groundCommand (int argc, const char* const* argv)
       "RESULT", result_file, "planes found in the same points, field label");
   declareRules (line, rules);
   line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
-  line.add ("json", json).help ("print JSON instead of text");
+  line.add ("json", prints_json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return ExitCode::done;
   rules.up = up.cast<double>().normalized();
@@ -213,7 +219,7 @@ groundCommand (int argc, const char* const* argv)
     throw WorkError (truth_file,
                      "has no point of the classes of the ground; name some of its own "
                      "by --classes");
-  print (answer, json);
+  print (answer, prints_json);
   return ExitCode::done;
 }
 

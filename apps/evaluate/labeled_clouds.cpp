@@ -27,7 +27,7 @@ labelNumbersIn (const pcl::PCLPointCloud2& cloud,
     throw WorkError (file, "has no field " + name + "; give a cloud with labels");
   const pcl::PCLPointField& field = cloud.fields[std::size_t (index)];
   const NumberType& type = numberType (field.datatype);
-  // All columns of text files are read as doubles.
+  // Columns of text files are read as doubles, which are allowed, too.
   const bool is_integer = type.kind != 'F' && type.size <= 4;
   if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
     throw WorkError (file,
@@ -59,12 +59,12 @@ labelsIn (const pcl::PCLPointCloud2& cloud,
 }
 
 LabeledCloud
-loadLabeledCloud (const std::string& file, bool needs_labels)
+loadLabeledCloud (const std::string& file, WithoutLabels without_labels)
 {
   return inMemory (file, "give a smaller cloud", [&] {
     const FileCloud cloud = loadCloud (file);
     PlaneLabels labels;
-    if (needs_labels || hasField (cloud, "label"))
+    if (without_labels == WithoutLabels::Refuse || hasField (cloud, "label"))
       labels = labelsIn (cloud.points, file);
     const LabeledCloud labeled{shiftedCloudOf (cloud), labels};
     const std::string damage = damageOf (labeled);
@@ -89,7 +89,7 @@ checkSamePoints (const LabeledCloud& truth,
                          " points, the truth " + std::to_string (truth.cloud->size()) +
                          "; give two labelings of the same cloud");
   const Vector3d shift = result.shift - truth.shift;
-  // Rounding in a text file may move a point by this share of the diagonal of the
+  // Rounding in a text file may move a point that far, relative to the diagonal of the
   // bounding box.
   constexpr double max_rounding = 1e-3;
   pcl::PointXYZ lowest;
@@ -100,10 +100,10 @@ checkSamePoints (const LabeledCloud& truth,
   for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
     const pcl::PointXYZ& expected = (*truth.cloud)[i];
     const pcl::PointXYZ& found = (*result.cloud)[i];
-    const Vector3d offset =
+    const Vector3d difference =
         (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
     const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);
-    if (both_finite && offset.norm() > tolerance)
+    if (both_finite && difference.norm() > tolerance)
       throw WorkError (result_file,
                        "point " + std::to_string (i) +
                            " lies elsewhere than in the truth; give two labelings of "
@@ -113,16 +113,15 @@ checkSamePoints (const LabeledCloud& truth,
 
 } // namespace
 
-std::pair<LabeledCloud, LabeledCloud>
+TruthAndResult
 loadLabeledClouds (const std::string& truth_file,
                    const std::string& result_file,
                    std::size_t min_plane_points)
 {
-  std::pair clouds{loadLabeledCloud (truth_file, true),
-                   loadLabeledCloud (result_file, true)};
-  auto& [truth, result] = clouds;
-  checkSamePoints (truth, result, result_file);
-  dropSmallPlanes (truth.labels, min_plane_points);
+  TruthAndResult clouds{loadLabeledCloud (truth_file, WithoutLabels::Refuse),
+                        loadLabeledCloud (result_file, WithoutLabels::Refuse)};
+  checkSamePoints (clouds.truth, clouds.result, result_file);
+  dropSmallPlanes (clouds.truth.labels, min_plane_points);
   return clouds;
 }
 

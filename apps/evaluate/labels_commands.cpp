@@ -25,8 +25,10 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/** \tparam Size type of the size: a whole number of points, or a width [m]
- * \param[in] key_of_from key of the smallest size of a class */
+/** Returns an object for each size class, from SizeClass::from up to but without
+ * SizeClass::below.
+ * \tparam Size type of the size: a whole number of points, or a width [m]
+ * \param[in] key_of_from key of SizeClass::from */
 template <typename Size>
 Answer
 answerOf (const SizeClasses& classes, const char* key_of_from)
@@ -75,15 +77,17 @@ seenPlaneOf (const XyzCloud& cloud,
   return SeenPlane{pose * plane.centroid, pose.linear() * plane.normal, *covariance};
 }
 
-/** Counts how often found planes keep their number. A true plane is found in a cloud if
- * a found plane has an intersection over union above 0.5 with it. */
+/** Counts how often found planes keep their number, which is their label in the
+ * results. A true plane is found in a cloud if a found plane has an intersection over
+ * union above 0.5 with it; it then has the number of that found plane. */
 struct KeptNumbers {
   /** A true plane over the sequence of clouds. */
   struct TruePlane {
     /** Number of clouds in which it is found. */
     std::size_t times_found = 0;
-    /** The numbers that it had in these clouds, and the last one. */
+    /** All numbers that it had in these clouds. */
     std::set<std::uint32_t> numbers;
+    /** Its number in the last cloud in which it was found. */
     std::uint32_t last_number = 0;
     /** The plane as it was found last, if poses and a covariance are known. */
     std::optional<SeenPlane> last_seen;
@@ -92,15 +96,17 @@ struct KeptNumbers {
   /** By the labels of the truth. */
   std::map<std::uint32_t, TruePlane> true_planes;
   /** All numbers in the results, also those of planes that match no true plane. */
-  std::set<std::uint32_t> numbers;
-  /** How often a true plane is found that was found before, and how often with the
-   * number that it had when it was found last. */
-  std::size_t found_again = 0, found_again_with_number = 0;
-  /** Differences of a plane that is found again with its number, from when it was found
-   * last: absolute values divided by their standard deviations. If covariances are
-   * right and errors have a normal distribution, the median is 0.67 and 90 % are
-   * below 1.64. Offset: the height of the second centroid over the first plane. Tilt:
-   * the slopes of the second plane along both axes of the first. */
+  std::set<std::uint32_t> all_numbers;
+  /** How often a true plane is found that was found in an earlier cloud. */
+  std::size_t found_again = 0;
+  /** How often it then has TruePlane::last_number. */
+  std::size_t found_again_with_number = 0;
+  /** Differences between a plane that is found again with its number (second) and the
+   * same plane when it was found last (first): absolute values divided by their
+   * standard deviations. If covariances are right and errors have a normal
+   * distribution, the median is 0.67 and 90 % are below 1.64. Offset: the height of the
+   * second centroid over the first plane. Tilt: the slopes of the second plane along
+   * both axes of the first. */
   std::vector<double> offset_errors, tilt_errors;
 
   /** Adds the next cloud of the sequence.
@@ -114,7 +120,7 @@ struct KeptNumbers {
     const std::vector<PlaneSegment> planes =
         pose ? planesOf (*result.cloud, confusion.result, {})
              : std::vector<PlaneSegment>();
-    numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
+    all_numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
     for (const Overlap& overlap : confusion.overlaps) {
       constexpr double min_iou = 0.5; // above it a plane has at most one partner
       if (confusion.iou (overlap) <= min_iou)
@@ -140,6 +146,7 @@ struct KeptNumbers {
     }
   }
 
+  /** Adds to \ref offset_errors and \ref tilt_errors. */
   void
   addErrors (const SeenPlane& first, const SeenPlane& second)
   {
@@ -165,8 +172,10 @@ struct KeptNumbers {
   }
 };
 
-/** \param[in] poses_file empty: no poses
- * \param[in] min_plane_points points of smaller true planes count as on no plane
+/** Compares the clouds of the truth with the results of the same file names.
+ * \param[in] poses_file empty: no poses
+ * \param[in] min_plane_points points of true planes with fewer points count as on no
+ * plane
  * \throws WorkError if a file cannot be read, or does not fit the others */
 KeptNumbers
 keptNumbersIn (const std::string& truth_folder,
@@ -214,7 +223,7 @@ answerOf (const KeptNumbers& kept)
                 {"planes_kept", planes_with_one_number},
                 {"sightings", kept.found_again},
                 {"sightings_kept", kept.found_again_with_number},
-                {"numbers", kept.numbers.size()}};
+                {"numbers", kept.all_numbers.size()}};
   if (kept.offset_errors.empty())
     return answer;
   answer["offset_errors_median"] = quantile (kept.offset_errors, 0.5);
@@ -233,7 +242,7 @@ compareCommand (int argc, const char* const* argv)
   std::string result_file;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::size_t min_plane_points = 1;
-  bool json = false;
+  bool prints_json = false;
   CommandLine line ("pcl_ops_evaluate compare",
                     "Compares the planes of two labeled clouds of the same "
                     "points (field label, 0: no plane).",
@@ -244,7 +253,7 @@ compareCommand (int argc, const char* const* argv)
   line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
   line.add ("min-plane-points N", min_plane_points, from (0))
       .help ("true planes with fewer points count as no plane (1)");
-  line.add ("json", json).help ("print JSON instead of text");
+  line.add ("json", prints_json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return ExitCode::done;
   const auto [truth, result] =
@@ -253,7 +262,7 @@ compareCommand (int argc, const char* const* argv)
       *truth.cloud, truth.labels, result.labels, {up.cast<double>().normalized()});
   if (metrics.truth_planes == 0)
     warn (truth_file + ": has no plane; all that can be right is to find none");
-  print (answerOf (metrics), json);
+  print (answerOf (metrics), prints_json);
   return ExitCode::done;
 }
 
@@ -264,7 +273,7 @@ trackCommand (int argc, const char* const* argv)
   std::string result_folder;
   std::string poses_file;
   std::size_t min_plane_points = 1;
-  bool json = false;
+  bool prints_json = false;
   CommandLine line (
       "pcl_ops_evaluate track",
       "Tells how many planes keep their number in a sequence of labeled clouds, as\n"
@@ -280,12 +289,12 @@ trackCommand (int argc, const char* const* argv)
   line.add ("poses FILE", poses_file)
       .help ("true poses of the sensor, one line per cloud: tells how planes differ\n"
              "from cloud to cloud over what planeCovariance allows");
-  line.add ("json", json).help ("print JSON instead of text");
+  line.add ("json", prints_json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return ExitCode::done;
   const KeptNumbers kept =
       keptNumbersIn (truth_folder, result_folder, poses_file, min_plane_points);
-  print (answerOf (kept), json);
+  print (answerOf (kept), prints_json);
   return ExitCode::done;
 }
 

@@ -31,12 +31,12 @@ using Eigen::Vector3d;
 /** End of messages on a file that is no list of planes. */
 constexpr const char* fix =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
-/** Largest absolute value of a number: above any float, while its fourth power is a
- * finite double. */
+/** Largest absolute value of a number in a file: above any float, while its fourth
+ * power is still a finite double (\ref AreaIntegrals). */
 constexpr double max_number = 1e40;
 
-/** A value in a JSON file. Functions that read it throw a WorkError if it is not as
- * they expect. */
+/** A value in a JSON file. All functions but \ref has throw a WorkError that names the
+ * value if it is not what they read. */
 struct Entry {
   const std::string& file;
   /** Keys and indices that lead to the value: "planes[2].hull". */
@@ -44,9 +44,9 @@ struct Entry {
   const Json& value;
 
   void
-  require (bool is_fine, const std::string& problem) const
+  require (bool condition, const std::string& problem) const
   {
-    if (!is_fine)
+    if (!condition)
       throw WorkError (file, path + " " + problem + fix);
   }
 
@@ -136,21 +136,22 @@ integralsOver (const std::vector<Ring>& rings,
   return integrals;
 }
 
-/** Moves the centroid of a plane to that of the area of its outline, and sets the
- * moments of points spread evenly inside. Without an outline the standard deviation
- * along the plane is 1000 km.
- * \param[in] rings counter-clockwise, holes clockwise
- * \param[in] rms distance of the points to the plane [m]
- * \param[in] count number of points of the moments */
+/** Moves the centroid of a plane to that of the area inside its outline, and sets the
+ * moments to those of points spread evenly over this area. Without an outline the
+ * centroid stays, and the points have a standard deviation of 1000 km along the plane.
+ * \param[in] rings outlines counter-clockwise about the normal, holes clockwise
+ * \param[in] rms root mean square distance of the points to the plane [m]
+ * \param[in] count number of points of the plane */
 void
 setExtent (const std::vector<Ring>& rings,
            double rms,
            double count,
            PlaneSegment& plane)
 {
-  constexpr double endless = 1e6; // [m]
+  constexpr double unknown_deviation = 1e6; // [m]
   const Matrix3d along_normal = plane.normal * plane.normal.transpose();
-  Matrix3d covariance = endless * endless * (Matrix3d::Identity() - along_normal);
+  Matrix3d covariance =
+      unknown_deviation * unknown_deviation * (Matrix3d::Identity() - along_normal);
   const AreaIntegrals integrals = integralsOver (rings, plane.normal, plane.centroid);
   if (integrals.area != 0.0) {
     const Vector3d mean = integrals.first / integrals.area;
@@ -184,7 +185,7 @@ addRings (const Entry& entry, std::vector<Ring>& rings)
 PlaneSegment
 planeOf (const Entry& entry)
 {
-  constexpr double max_points = 1e15; // below 2^53: exact as double
+  constexpr double max_points = 1e15; // a double has all whole numbers up to 2^53
   PlaneSegment plane;
   const double count = entry.at ("points").number (1.0, max_points);
   const double rms = entry.at ("rms").number (0.0);
@@ -208,7 +209,7 @@ planeOf (const Entry& entry)
   return plane;
 }
 
-/** Planes of a file with their ids; the planes have no inliers. */
+/** Planes of a file and the id of each; the planes have no inliers. */
 struct PlaneList {
   std::vector<std::uint64_t> ids;
   std::vector<PlaneSegment> planes;
@@ -255,8 +256,8 @@ comparePlanes (const PlaneList& first,
 {
   const PlaneMatches matches =
       matchAboutMeanCentroid (first.planes, second.planes, parameters);
-  const std::size_t none = second.planes.size();
-  std::vector<std::size_t> partner_of (first.planes.size(), none);
+  const std::size_t no_partner = second.planes.size();
+  std::vector<std::size_t> partner_of (first.planes.size(), no_partner);
   Answer matched = Answer::array();
   Answer only_a = Answer::array();
   Answer only_b = Answer::array();
@@ -267,19 +268,19 @@ comparePlanes (const PlaneList& first,
       partner_of[std::size_t (matches.previous[i])] = i;
   for (std::size_t i = 0; i < first.planes.size(); ++i) {
     const std::size_t partner = partner_of[i];
-    if (partner == none) {
+    if (partner == no_partner) {
       only_a.push_back (first.ids[i]);
       continue;
     }
-    const PlaneSegment& one = first.planes[i];
-    const PlaneSegment& other = second.planes[partner];
+    const PlaneSegment& plane_a = first.planes[i];
+    const PlaneSegment& plane_b = second.planes[partner];
     matched.push_back ({{"a", first.ids[i]},
                         {"b", second.ids[partner]},
-                        {"orientation", toString (one.orientation)},
-                        {"angle", toDegrees (angleBetween (one, other))},
-                        {"offset", one.plane().distance (other.centroid)},
-                        {"points_a", std::size_t (one.moments.count)},
-                        {"points_b", std::size_t (other.moments.count)}});
+                        {"orientation", toString (plane_a.orientation)},
+                        {"angle", toDegrees (angleBetween (plane_a, plane_b))},
+                        {"offset", plane_a.plane().distance (plane_b.centroid)},
+                        {"points_a", std::size_t (plane_a.moments.count)},
+                        {"points_b", std::size_t (plane_b.moments.count)}});
   }
   const double angle = Eigen::AngleAxisd (matches.pose.linear()).angle();
   return {{"planes_a", first.planes.size()},
@@ -300,7 +301,7 @@ planesCommand (int argc, const char* const* argv)
   std::string second_file;
   PlaneMatchingParameters matching;
   double rotation_error = toDegrees (matching.rotation_error);
-  bool json = false;
+  bool prints_json = false;
   CommandLine line (
       "pcl_ops_evaluate planes",
       "Tells which planes of two results are one, and how far they are apart. The\n"
@@ -316,13 +317,13 @@ planesCommand (int argc, const char* const* argv)
       .help ("standard deviation of the shift between both (0.05)");
   line.add ("min-overlap X", matching.min_overlap, from (0).upTo (1))
       .help ("share of the smaller plane that has to lie over the other (0.3)");
-  line.add ("json", json).help ("print JSON instead of text");
+  line.add ("json", prints_json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return ExitCode::done;
   matching.rotation_error = toRadians (rotation_error);
   const PlaneList first = loadPlaneList (first_file);
   const PlaneList second = loadPlaneList (second_file);
-  print (comparePlanes (first, second, matching), json);
+  print (comparePlanes (first, second, matching), prints_json);
   return ExitCode::done;
 }
 

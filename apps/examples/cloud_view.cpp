@@ -29,7 +29,7 @@ int
 main (int argc, char** argv)
 {
   std::ifstream file (argc == 2 ? argv[1] : "", std::ios::binary);
-  // A message without a list of fields: x is the first one.
+  // The list of fields stays empty: then viewOf takes the first number for x.
   pcl::PCLPointCloud2 message;
   message.data.assign (std::istreambuf_iterator<char> (file), {});
   message.point_step = 4 * sizeof (float); // x, y, z and intensity

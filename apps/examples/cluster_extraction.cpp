@@ -18,6 +18,7 @@
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+/** \brief Returns one point, the mean, for each voxel with points. */
 static Cloud::Ptr
 downsampled (const Cloud::Ptr& cloud)
 {
@@ -29,18 +30,20 @@ downsampled (const Cloud::Ptr& cloud)
   return thinned;
 }
 
+/** \brief Returns the cloud without the points of these indices. */
 static Cloud::Ptr
-without (const pcl::Indices& points, const Cloud::Ptr& cloud)
+without (const pcl::Indices& removed, const Cloud::Ptr& cloud)
 {
   pcl::ExtractIndices<pcl::PointXYZ> extraction;
   extraction.setInputCloud (cloud);
-  extraction.setIndices (pcl::make_shared<pcl::Indices> (points));
+  extraction.setIndices (pcl::make_shared<pcl::Indices> (removed));
   extraction.setNegative (true);
   Cloud::Ptr rest (new Cloud);
   extraction.filter (*rest);
   return rest;
 }
 
+/** \brief Returns clusters of points that are near each other. */
 static std::vector<pcl::PointIndices>
 clustersOf (const Cloud::Ptr& cloud)
 {
@@ -54,12 +57,13 @@ clustersOf (const Cloud::Ptr& cloud)
   return clusters;
 }
 
-/** \brief Returns the points on no plane, by the loop of the tutorial.
- * \param[out] planes number of planes */
+/** \brief Returns the points that remain when the loop of the tutorial has removed
+ * planes.
+ * \param[out] planes number of removed planes */
 static Cloud::Ptr
 restByLoop (const Cloud::Ptr& cloud, std::size_t& planes)
 {
-  constexpr double max_rest = 0.3; // share of the cloud at which the loop ends
+  constexpr double max_rest = 0.3; // the loop ends at this share of the cloud's points
   pcl::SACSegmentation<pcl::PointXYZ> finder;
   finder.setOptimizeCoefficients (true);
   finder.setModelType (pcl::SACMODEL_PLANE);

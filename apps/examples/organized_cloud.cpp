@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Times two neighbor searches for the paper's OPS on a depth image: GridSearch, and
-// OrganizedNeighbor, which uses the rows and columns.
+// Measures the time of two neighbor searches for the paper's OPS on a depth image:
+// GridSearch, and OrganizedNeighbor, which uses the rows and columns of the image.
 #include <pcl/io/pcd_io.h>
 #include <pcl/search/organized.h>
 
@@ -15,14 +15,14 @@ using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
 /** \brief Finds the planes and prints how long the neighbor search took.
  * \return whether planes were found */
 static bool
-printTimes (const char* search, Ops& ops)
+printTimes (const char* name_of_search, Ops& ops)
 {
   std::vector<pcl_ops::PlaneSegment> planes;
   if (!ops.segment (planes))
     return false;
   const pcl_ops::StageDurations& time = ops.getStageDurations();
   std::printf ("%-18s %3zu planes, search ready after %5.1f ms, normals in %5.1f ms\n",
-               search,
+               name_of_search,
                planes.size(),
                time.search,
                time.normals);
@@ -46,9 +46,9 @@ main (int argc, char** argv)
   ops.setInputCloud (cloud);
   // Only Sampling::Points, the paper's preset, uses the search method.
   ops.setParameters (pcl_ops::OrientedPointSamplingParameters::paper());
-  bool done = printTimes ("GridSearch", ops);
+  bool found_planes = printTimes ("GridSearch", ops);
   using OrganizedNeighbor = pcl::search::OrganizedNeighbor<pcl::PointXYZ>;
   ops.setSearchMethod (pcl::make_shared<OrganizedNeighbor>());
-  done = printTimes ("OrganizedNeighbor", ops) && done;
-  return done ? 0 : 1;
+  found_planes = printTimes ("OrganizedNeighbor", ops) && found_planes;
+  return found_planes ? 0 : 1;
 }

@@ -28,7 +28,8 @@ main (int argc, char** argv)
     std::fprintf (stderr, "Usage: own_point_type CLOUD.pcd\n");
     return 2;
   }
-  // If the file has no temperatures: 20 degrees, and 2 more per meter of height.
+  // Points without a temperature get one for this example: 20 degrees Celsius at height
+  // 0, and 2 more per meter.
   for (ThermalPoint& point : *cloud)
     if (!(point.temperature > 0.0f))
       point.temperature = 20.0f + 2.0f * point.z;
@@ -39,12 +40,12 @@ main (int argc, char** argv)
   if (!ops.segment (planes))
     return 1;
   for (const pcl_ops::PlaneSegment& plane : planes) {
-    double sum = 0.0;
+    double sum_of_temperatures = 0.0;
     for (const pcl::index_t index : plane.inliers)
-      sum += (*cloud)[index].temperature;
+      sum_of_temperatures += (*cloud)[index].temperature;
     std::printf ("%6zu points at %.1f degrees\n",
                  plane.inliers.size(),
-                 sum / static_cast<double> (plane.inliers.size()));
+                 sum_of_temperatures / static_cast<double> (plane.inliers.size()));
   }
   std::printf ("%zu planes\n", planes.size());
 }

@@ -12,8 +12,8 @@ from pcl_ops import buildings
 matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
 
-CUT = 1.2  # height above the lowest floor [m], as in floor plans
-NEAR_CUT = 0.3  # points that are drawn are at most so far above or below the cut [m]
+CUT_HEIGHT = 1.2  # above the lowest floor [m], the default of floor plans
+NEAR_CUT = 0.3  # largest distance of drawn points above or below the cut [m]
 MARGIN = 0.7  # around the rooms [m]
 
 
@@ -56,8 +56,8 @@ def main():
         _, planes = pcl_ops.segment(points)
         plan = buildings.floor_plan(planes)
         floors = [room.floor for room in plan.rooms if room.floor is not None]
-        over_floor = points[:, 2] - (min(floors) if floors else points[:, 2].min())
-        near = points[np.abs(over_floor - CUT) < NEAR_CUT]
+        height_over_floor = points[:, 2] - (min(floors) if floors else points[:, 2].min())
+        near = points[np.abs(height_over_floor - CUT_HEIGHT) < NEAR_CUT]
         axes.scatter(near[:, 0], near[:, 1], s=0.5, c="0.6", linewidths=0)
         draw_plan(axes, plan)
         show_rooms(axes, plan)

@@ -12,14 +12,15 @@ matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
 
 
-in_box_room = (2.5, 1, 1.6)  # a position of a sensor
+SENSOR_IN_BOX_ROOM = (2.5, 1, 1.6)  # [m]
+MAX_DRAWN = 20000  # points; more would take long
 
 
 def box_room(points_per_side=15000):
-    """A room of 5 m x 4 m x 2.5 m with a table, each surface with 3 mm of noise."""
+    """Points of a room of 5 m x 4 m x 2.5 m with a table, with 3 mm of noise."""
     random = np.random.default_rng(1)
-    noise = 0.003
-    # Of floor, two walls and table top: a corner, and the size along x, y and z.
+    noise = 0.003  # standard deviation [m]
+    # Of floor, two walls and table top: a corner, and the size along x, y and z [m].
     sides = [((0, 0, 0), (5, 4, 0)), ((0, 4, 0), (5, 0, 2.5)), ((0, 0, 0), (0, 4, 2.5)),
              ((3, 2, 0.75), (1.4, 0.8, 0))]
     clouds = [corner + random.uniform(size=(points_per_side, 3)) * size for corner, size in sides]
@@ -35,14 +36,15 @@ def load(file):
 
 
 def draw(axes, points, labels, planes):
+    """Draws points in the colors of their planes, outlines, and texts on the largest planes."""
     colors = plt.get_cmap("tab20")(labels % 20)
     colors[labels < 0] = (0.6, 0.6, 0.6, 0.3)
-    drawn = np.random.default_rng(1).permutation(len(points))[:20000]  # more would take long
+    drawn = np.random.default_rng(1).permutation(len(points))[:MAX_DRAWN]
     axes.scatter(*points[drawn].T, s=0.5, c=colors[drawn])
     for plane in planes:
         axes.plot(*np.vstack([plane.hull, plane.hull[:1]]).T, color="black", linewidth=1)
-    # Labels of more planes would overlap.
-    for plane in planes[:6]:
+    described_planes = 6  # the largest ones; more texts would overlap
+    for plane in planes[:described_planes]:
         axes.text(*plane.centroid, f"{plane.orientation}\n{plane.area:.1f} m²", ha="center")
     axes.set_box_aspect(np.ptp(points[np.isfinite(points).all(axis=1)], axis=0))
 
@@ -50,7 +52,7 @@ def draw(axes, points, labels, planes):
 def main():
     if not 2 <= len(sys.argv) <= 3 or sys.argv[1].startswith("-"):
         sys.exit("Usage: plane_picture.py PICTURE.png [CLOUD.npy|CLOUD.pcd|...]")
-    points, viewpoint = load(sys.argv[2]) if len(sys.argv) == 3 else (box_room(), in_box_room)
+    points, viewpoint = load(sys.argv[2]) if len(sys.argv) == 3 else (box_room(), SENSOR_IN_BOX_ROOM)
 
     labels, planes = pcl_ops.segment(points, viewpoint=viewpoint)  # normals point to the viewpoint
 

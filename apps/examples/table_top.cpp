@@ -36,6 +36,30 @@ objectsOn (const pcl_ops::PlaneSegment& table,
   return objects;
 }
 
+/** \brief Prints the size of the table, the largest horizontal plane, and the number of
+ * points above it.
+ * \param[in] planes in descending order of points
+ * \param[in] duration of the detection [ms] */
+static void
+printTable (const std::vector<pcl_ops::PlaneSegment>& planes,
+            const Cloud::ConstPtr& cloud,
+            double duration)
+{
+  const auto table = std::find_if (planes.begin(), planes.end(), [] (auto& plane) {
+    return plane.orientation == pcl_ops::Orientation::Horizontal;
+  });
+  if (table == planes.end()) {
+    std::printf ("no horizontal plane among %zu\n", planes.size());
+    return;
+  }
+  const pcl_ops::PlaneExtent extent = pcl_ops::planeExtent (*cloud, *table);
+  std::printf ("%5.1f ms: table of %zu points, %.2f m^2, %zu points above it\n",
+               duration,
+               table->inliers.size(),
+               extent.area,
+               objectsOn (*table, extent, cloud).indices.size());
+}
+
 int
 main (int argc, char** argv)
 {
@@ -47,10 +71,11 @@ main (int argc, char** argv)
 
   // One object for all frames: later calls reuse the memory that the first allocates.
   pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
-  // The up axis of a level camera. The planes of frame 0 tell that of a tilted one.
+  // The up axis of a level camera. If the camera is tilted, the planes of frame 0 tell
+  // it.
   ops.setUpAxis (pcl_ops::cameraUp());
-  // Merges parts of the table that clutter divides, even if the middle of one is 1 cm
-  // off the plane of the other.
+  // Merges parts of the table that clutter divides, if the centroid of each is less
+  // than 1 cm from the plane of the other.
   pcl_ops::MergingParameters merging;
   merging.distance_threshold = 0.01; // [m]
   ops.setMergingParameters (merging);
@@ -66,19 +91,6 @@ main (int argc, char** argv)
         ops.setUpAxis (up->direction);
       continue;
     }
-    // Planes are in descending order of points: this is the largest horizontal one.
-    const auto table = std::find_if (planes.begin(), planes.end(), [] (auto& plane) {
-      return plane.orientation == pcl_ops::Orientation::Horizontal;
-    });
-    if (table == planes.end()) {
-      std::printf ("no horizontal plane among %zu\n", planes.size());
-      continue;
-    }
-    const pcl_ops::PlaneExtent extent = pcl_ops::planeExtent (*cloud, *table);
-    std::printf ("%5.1f ms: table of %zu points, %.2f m^2, %zu points above it\n",
-                 ops.getStageDurations().detection,
-                 table->inliers.size(),
-                 extent.area,
-                 objectsOn (*table, extent, cloud).indices.size());
+    printTable (planes, cloud, ops.getStageDurations().detection);
   }
 }

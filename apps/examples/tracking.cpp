@@ -26,8 +26,8 @@ main (int argc, char** argv)
   Eigen::Isometry3d truth = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d odometry = truth;
   constexpr int frames = 5;
-  for (int i = 0; i < frames; ++i) {
-    const Cloud::Ptr frame (new Cloud); // what the sensor sees: the room in its frame
+  for (int frame_number = 0; frame_number < frames; ++frame_number) {
+    const Cloud::Ptr frame (new Cloud); // the room in the frame of the sensor
     pcl::transformPointCloud (*room, *frame, truth.inverse().matrix().cast<float>());
     pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
     ops.setInputCloud (frame);
@@ -36,7 +36,7 @@ main (int argc, char** argv)
       return 1;
 
     const std::vector<std::uint32_t> numbers = tracker.track (planes, odometry);
-    std::printf ("frame %d, planes", i);
+    std::printf ("frame %d, planes", frame_number);
     for (const std::uint32_t number : numbers)
       std::printf (" %u", number);
     const Eigen::AngleAxisd error_by_odometry (truth.linear().transpose() *
@@ -48,8 +48,8 @@ main (int argc, char** argv)
         error_by_odometry.angle() * 180.0 / M_PI,
         error_by_planes.angle() * 180.0 / M_PI);
 
-    // The sensor moves forward and to the left, and turns by 0.1 rad. Odometry measures
-    // only 0.08 rad.
+    // The sensor moves by 5 cm along x and 2 cm along y, and turns by 0.1 rad. Odometry
+    // measures only 0.08 rad.
     truth.translate (Eigen::Vector3d (0.05, 0.02, 0.0));
     truth.rotate (Eigen::AngleAxisd (0.1, Eigen::Vector3d::UnitZ()));
     odometry.translate (Eigen::Vector3d (0.05, 0.02, 0.0));

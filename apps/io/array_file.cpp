@@ -24,7 +24,7 @@ namespace {
 using pcl::PCLPointField;
 
 /** \brief Whether a number may be a coordinate [m]. Bytes of something else, read as a
- * number, are mostly much larger or smaller; NaN fails. */
+ * number, mostly have a much larger or smaller magnitude. NaN is no coordinate. */
 bool
 canBeCoordinate (float number)
 {
@@ -39,20 +39,21 @@ canBeCoordinate (float number)
 void
 checkArePoints (const FileReader& reader, const FileCloud& cloud)
 {
-  std::size_t good = 0;
+  std::size_t possible_points = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     std::array<float, 3> point{};
     std::memcpy (
         point.data(), &cloud.points.data[i * cloud.points.point_step], sizeof (point));
-    good += std::all_of (point.begin(), point.end(), canBeCoordinate) ? 1 : 0;
+    possible_points +=
+        std::all_of (point.begin(), point.end(), canBeCoordinate) ? 1 : 0;
   }
-  if (2 * good < cloud.size())
+  if (2 * possible_points < cloud.size())
     reader.fail ("most of its numbers are no coordinates in meters");
 }
 
-/** \brief Returns by how much the mean absolute values of columns differ (largest minus
- * smallest) if the numbers are split into that many columns. It is near 0 if every
- * column mixes x, y and z. */
+/** \brief Splits numbers into \p columns columns, number i into column i % columns, and
+ * returns the largest minus the smallest mean absolute value of a column. The result is
+ * near 0 if every column mixes x, y and z. */
 double
 differenceOfColumns (const std::vector<float>& numbers, std::size_t columns)
 {
@@ -68,13 +69,15 @@ differenceOfColumns (const std::vector<float>& numbers, std::size_t columns)
   return *largest - *smallest;
 }
 
-/** \brief Refuses points that have only x, y and z: split into four columns, their
- * numbers mix and the columns are alike; split into three, they are not. */
+/** \brief Refuses a file whose points seem to have only x, y and z, not the intensity:
+ * then each of four columns mixes x, y and z, and the four columns are alike, but three
+ * columns are not. */
 void
 refuseTriples (const FileReader& reader, const FileCloud& cloud)
 {
   constexpr std::size_t min_points = 100; // means of fewer differ by chance
-  constexpr double max_ratio = 0.3; // of the differences of four and three columns
+  constexpr double max_ratio =
+      0.3; // of the difference of four columns to that of three
   std::vector<float> numbers (cloud.points.data.size() / sizeof (float));
   std::memcpy (numbers.data(), cloud.points.data.data(), cloud.points.data.size());
   if (cloud.size() >= min_points && cloud.points.fields.size() == 4 &&
@@ -98,15 +101,15 @@ struct NpyHeader {
 std::string
 readNpyLiteral (FileReader& reader)
 {
-  constexpr std::size_t start_size = 8, version_offset = 6;
-  constexpr std::uint32_t max_length = 1U << 16U; // [bytes]
+  constexpr std::size_t start_size = 8, version_offset = 6; // [bytes]
+  constexpr std::uint32_t max_length = 1U << 16U;           // [bytes]
   std::string start (std::min<std::uint64_t> (start_size, reader.fileSize()), '\0');
   reader.read (start.data(), start.size());
   if (start.rfind ("\x93NUMPY", 0) != 0)
     reader.fail ("its first bytes are not \\x93NUMPY");
   boost::endian::little_uint32_t length = 0;
-  const bool is_long = start.size() == start_size && start[version_offset] > 1;
-  reader.read (&length, is_long ? 4 : 2);
+  const bool has_long_length = start.size() == start_size && start[version_offset] > 1;
+  reader.read (&length, has_long_length ? 4 : 2);
   if (length > max_length)
     reader.fail ("its header is longer than 64 KiB");
   std::string text (length, '\0');
@@ -119,39 +122,41 @@ NpyHeader
 readNpyHeader (FileReader& reader)
 {
   const std::string text = readNpyLiteral (reader);
-  // Returns the text behind the key up to `end`, without its first character: a quote,
-  // a bracket, or the T or F of a truth value.
+  // Returns the value of a key up to the character `end`, without the first character
+  // of the value: a quote, a bracket, or the T or F of a truth value.
   const auto value_of = [&] (const std::string& key, char end) {
-    const std::string before = "'" + key + "':";
-    const std::size_t found = text.find (before);
-    const std::size_t begin = found + before.size() + 1;
-    const std::size_t stop =
-        found == std::string::npos ? found : text.find (end, begin);
-    if (stop == std::string::npos)
+    const std::string quoted_key = "'" + key + "':";
+    const std::size_t key_begin = text.find (quoted_key);
+    const std::size_t value_begin = key_begin + quoted_key.size() + 1;
+    const std::size_t value_end =
+        key_begin == std::string::npos ? key_begin : text.find (end, value_begin);
+    if (value_end == std::string::npos)
       reader.fail ("its header has no " + key);
-    return text.substr (begin, stop - begin);
+    return text.substr (value_begin, value_end - value_begin);
   };
   NpyHeader header;
   header.type = value_of ("descr", '\'');
-  header.is_fortran = value_of ("fortran_order", ',') == "rue"; // True
+  constexpr const char* true_without_t = "rue";
+  header.is_fortran = value_of ("fortran_order", ',') == true_without_t;
   const std::string shape = value_of ("shape", ')');
   std::vector<std::string_view> words;
   splitWords (shape, ',', words);
   for (const std::string_view word : words)
-    if (!word.empty()) // empty behind the last comma
+    if (!word.empty()) // as behind the last comma of (N,)
       header.shape.push_back (reader.parseCount ("its shape", std::string (word)));
   return header;
 }
 
-/** \param[in] name of the type in NumPy
- * \return nullptr for a type that \ref NumberType lacks, or big endian */
+/** \param[in] name NumPy's name of the type
+ * \return nullptr for a type that is big endian or that NumberType lacks */
 const NumberType*
 numpyType (const std::string& name)
 {
   return findNumberType ([&] (const NumberType& type) {
     const char kind = type.kind == 'F' ? 'f' : type.kind == 'I' ? 'i' : 'u';
-    const std::string size = kind + std::to_string (type.size);
-    return name == "<" + size || (type.size == 1 && name == "|" + size);
+    const std::string kind_and_size = kind + std::to_string (type.size);
+    return name == "<" + kind_and_size ||
+           (type.size == 1 && name == "|" + kind_and_size);
   });
 }
 
@@ -207,10 +212,10 @@ declarePoints (const std::string& file,
   const std::uint64_t width = header.shape[dimensions - 2];
   if (width * height == 0)
     reader.failEmpty();
-  const std::uint64_t bytes = reader.bytesLeft(); // of the numbers
-  if (width * height > max_points || width * height * columns > bytes / type.size)
+  const std::uint64_t data_size = reader.bytesLeft();
+  if (width * height > max_points || width * height * columns > data_size / type.size)
     reader.failTruncated();
-  if (width * height * columns * type.size != bytes)
+  if (width * height * columns * type.size != data_size)
     reader.fail ("it has more numbers than its shape says");
   for (std::uint64_t i = 0; i < columns; ++i)
     addField (i < 3 ? std::string (1, "xyz"[i]) : "field_" + std::to_string (i + 1),
@@ -220,9 +225,10 @@ declarePoints (const std::string& file,
   points.height = static_cast<pcl::uindex_t> (height);
 }
 
-/** \brief Returns the data of points in the order of a cloud.
- * \param[in] points with numbers in Fortran order: x of all points, then y of all, and
- * so on, each with the points column by column of the image, not row by row */
+/** \brief Returns the data of points in the order of a cloud: point by point, and the
+ * points row by row.
+ * \param[in] points whose data are in Fortran order: x of all points, then y of all, and
+ * so on, and for each of these the points column by column */
 std::vector<std::uint8_t>
 fromFortranOrder (const pcl::PCLPointCloud2& points)
 {
@@ -252,12 +258,12 @@ readKitti (const std::string& file)
     addField (name, PCLPointField::FLOAT32, cloud.points);
   if (boost::algorithm::iends_with (file, ".pcd.bin"))
     addField ("ring", PCLPointField::FLOAT32, cloud.points);
-  const std::uint64_t step = cloud.points.point_step;
-  if (reader.fileSize() % step != 0)
-    reader.fail ("its size is no multiple of the " + std::to_string (step) +
+  const std::uint64_t point_size = cloud.points.point_step; // [bytes]
+  if (reader.fileSize() % point_size != 0)
+    reader.fail ("its size is no multiple of the " + std::to_string (point_size) +
                  " bytes of a point");
   cloud.points.width = static_cast<pcl::uindex_t> (reader.parseCount (
-      "its number of points", std::to_string (reader.fileSize() / step)));
+      "its number of points", std::to_string (reader.fileSize() / point_size)));
   cloud.points.height = 1;
   cloud.points.data.resize (reader.fileSize());
   reader.read (cloud.points.data.data(), cloud.points.data.size());
@@ -294,12 +300,12 @@ readNpyNumbers (const std::string& file)
                      "has an array of another shape than (N,); save a number for each "
                      "point");
   const std::uint64_t count = shape[0] * (shape.size() == 2 ? shape[1] : 1);
-  const std::uint64_t bytes = reader.bytesLeft();
-  if (count > bytes / type.size)
+  const std::uint64_t data_size = reader.bytesLeft();
+  if (count > data_size / type.size)
     reader.failTruncated();
-  if (count * type.size != bytes)
+  if (count * type.size != data_size)
     reader.fail ("it has more numbers than its shape says");
-  std::vector<std::uint8_t> data (bytes);
+  std::vector<std::uint8_t> data (data_size);
   reader.read (data.data(), data.size());
   std::vector<double> numbers (count);
   for (std::size_t i = 0; i < numbers.size(); ++i)

@@ -64,18 +64,19 @@ refuseIfc (const std::string& file)
 enum class InFolder { Taken, LeftOut };
 
 /** \brief What clouds of a format come from: a survey has no pose
- * (FileCloud::is_survey).
- */
-enum class Origin { Sensor, Survey };
+ * (FileCloud::is_survey). Has no meaning for formats that are refused. */
+enum class Source { Sensor, Survey };
 
-/** \brief Whether messages name the extension. They do if every build reads it. */
+/** \brief Whether messages name the extension of a format. They name those that every
+ * build can read. */
 enum class InMessages { Named, LeftOut };
 
 struct Format {
+  /** \brief In lower case, with its dot. */
   const char* extension;
   FileCloud (*read) (const std::string& file);
   InFolder in_folder;
-  Origin origin = Origin::Sensor;
+  Source source = Source::Sensor;
   InMessages in_messages = InMessages::Named;
 
   bool
@@ -89,7 +90,7 @@ const std::vector<Format>&
 allFormats ()
 {
   constexpr InFolder taken = InFolder::Taken, left_out = InFolder::LeftOut;
-  constexpr Origin sensor = Origin::Sensor, survey = Origin::Survey;
+  constexpr Source sensor = Source::Sensor, survey = Source::Survey;
   constexpr InMessages unnamed = InMessages::LeftOut;
   const InFolder taken_with_laszip = hasLaszip() ? taken : left_out;
   static const std::vector<Format> formats = {
@@ -126,15 +127,15 @@ formatOf (const std::string& file)
   return nullptr;
 }
 
-/** \brief Lists the extensions of the wanted formats, of which there must be at least
- * two: ".a, .b or .c". */
+/** \brief Returns the extensions of the wanted formats as text, ".a, .b or .c". At
+ * least two formats must be wanted. */
 std::string
 listOf (const std::function<bool (const Format&)>& is_wanted)
 {
   std::string all_but_last;
   std::string last;
   for (const Format& format : allFormats())
-    if (is_wanted (format)) { // so the one before is not the last
+    if (is_wanted (format)) { // so the wanted format before is not the last one
       all_but_last += (all_but_last.empty() || last.empty() ? "" : ", ") + last;
       last = format.extension;
     }
@@ -164,8 +165,9 @@ readStandardInput (std::vector<char>& buffer)
   return filled;
 }
 
-/** \brief Returns the extension of a format that has a signature, its first bytes;
- * empty for other formats. */
+/** \brief Returns the extension of the format whose files begin with a signature, if
+ * this is one of them; else an empty string.
+ * \param[in] start the first bytes of the file */
 std::string
 extensionOfSignature (const std::string& start)
 {
@@ -183,8 +185,9 @@ extensionOfSignature (const std::string& start)
   return "";
 }
 
-/** \brief Returns the extension of a text format, or of PCD, by the first word of the
- * first line that is neither a comment nor a single number. */
+/** \brief Returns the extension of a text format or of PCD.
+ * \param[in] word the first word of the first line that is neither empty, nor a comment,
+ * nor a single number */
 std::string
 extensionOfWord (const std::string& word)
 {
@@ -193,14 +196,15 @@ extensionOfWord (const std::string& word)
     return ".ply";
   if (word.find ("OFF") <= max_letters_before_off)
     return ".off";
-  // Bytes that are no text are refused by the reader of PCD.
   const auto first = static_cast<unsigned char> (word[0]);
-  return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
+  const bool is_text = std::iscntrl (first) == 0;
+  // The reader of PCD refuses what is no text.
+  return is_text && !isPcdKey (word) ? ".xyz" : ".pcd";
 }
 
-/** \brief Returns the extension of the format of a cloud, by its first bytes. KITTI's
- * .bin and .obj cannot be recognized.
- * \param[in] start of the file, up to the size of the longest header, 1 MiB */
+/** \brief Returns the extension of the format of a cloud, by its first bytes. A .bin of
+ * KITTI and an .obj cannot be recognized.
+ * \param[in] start the first bytes of the file, at most 1 MiB (the longest header) */
 std::string
 extensionOfContent (const std::string& start)
 {
@@ -210,7 +214,7 @@ extensionOfContent (const std::string& start)
   std::istringstream lines (start);
   std::string line;
   std::vector<std::string_view> words;
-  bool follows_number = false;
+  bool follows_single_number = false; // whether a line of one number was read
   while (std::getline (lines, line)) {
     splitWords (line, ' ', words);
     if (words.empty() || words[0][0] == '#')
@@ -220,11 +224,11 @@ extensionOfContent (const std::string& start)
     const bool is_one_number = words.size() == 1 && std::isdigit (first) != 0;
     if (!is_one_number)
       return extensionOfWord (word);
-    if (follows_number) // a line with the columns, one with the rows
+    if (follows_single_number) // the numbers of columns and of rows begin a PTX
       return ".ptx";
-    follows_number = true;
+    follows_single_number = true;
   }
-  return follows_number ? ".xyz" : ".pcd";
+  return follows_single_number ? ".xyz" : ".pcd";
 }
 
 pcl::PCLPointField
@@ -261,8 +265,8 @@ nameCoordinates (pcl::PCLPointCloud2& points)
 void
 repairPose (FileCloud& cloud)
 {
-  // A quaternion written in single precision stays unchanged.
-  constexpr double rounding = 1e-6;
+  // A unit quaternion that was written in single precision stays unchanged.
+  constexpr double rounding = 1e-6; // of the length
   if (!cloud.origin.allFinite())
     cloud.origin.setZero();
   const double norm = cloud.orientation.norm();
@@ -272,8 +276,8 @@ repairPose (FileCloud& cloud)
     cloud.orientation.normalize();
 }
 
-/** \brief Returns \p count points of a cloud from index \p first on, with the changes
- * of \p set_fields. */
+/** \brief Returns a copy of \p count points of a cloud, the first one that with index
+ * \p first, with the changes that \p set_fields makes. */
 FileCloud
 partOf (const FileCloud& cloud,
         std::size_t first,
@@ -287,6 +291,31 @@ partOf (const FileCloud& cloud,
   if (set_fields)
     set_fields (part, first);
   return part;
+}
+
+/** \brief Number of bytes of the field of \ref setField. */
+constexpr pcl::uindex_t set_field_length = 4;
+
+/** \brief Returns the data of a cloud in which each point has the next four bytes of
+ * \p values in place of its bytes from the offset \p begin up to \p end. */
+std::vector<std::uint8_t>
+dataWithValues (const pcl::PCLPointCloud2& points,
+                pcl::uindex_t begin,
+                pcl::uindex_t end,
+                const void* values)
+{
+  const std::size_t size = sizeOf (points);
+  std::vector<std::uint8_t> data (
+      size * (points.point_step - (end - begin) + set_field_length));
+  std::uint8_t* out = data.data();
+  const auto* value = static_cast<const std::uint8_t*> (values);
+  for (std::size_t i = 0; i < size; ++i, value += set_field_length) {
+    const std::uint8_t* const point = points.data.data() + i * points.point_step;
+    out = std::copy_n (point, begin, out);
+    out = std::copy_n (value, set_field_length, out);
+    out = std::copy (point + end, point + points.point_step, out);
+  }
+  return data;
 }
 
 } // namespace
@@ -335,14 +364,14 @@ loadCloud (const std::string& file)
     throw gzip;
   FileCloud cloud = format->read (file);
   nameCoordinates (cloud.points);
-  for (const char* axis : {"x", "y", "z"})
-    if (!hasField (cloud, axis))
+  for (const char* coordinate : {"x", "y", "z"})
+    if (!hasField (cloud, coordinate))
       throw WorkError (file,
-                       std::string ("has no field ") + axis +
+                       std::string ("has no field ") + coordinate +
                            "; give a cloud with x, y and z");
   cloud.points.row_step = cloud.points.point_step * cloud.points.width;
   repairPose (cloud);
-  cloud.is_survey = format->origin == Origin::Survey;
+  cloud.is_survey = format->source == Source::Survey;
   return cloud;
 }
 
@@ -363,13 +392,14 @@ saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set
   constexpr std::size_t points_in_block = 1U << 14U;
   const bool is_ply = extensionOf (file) == ".ply";
   writeFile (file, [&] (std::ostream& stream) {
-    FileCloud header = partOf (cloud, 0, 0, set_fields);
+    FileCloud header = partOf (cloud, 0, 0, set_fields); // fields without points
     header.points.width = cloud.points.width;
     header.points.height = cloud.points.height;
     stream << (is_ply ? plyHeader (header.points) : pcdHeader (header));
-    for (std::size_t i = 0; i < cloud.size() && stream; i += points_in_block) {
-      const std::size_t count = std::min (points_in_block, cloud.size() - i);
-      const FileCloud part = partOf (cloud, i, count, set_fields);
+    for (std::size_t first = 0; first < cloud.size() && stream;
+         first += points_in_block) {
+      const std::size_t count = std::min (points_in_block, cloud.size() - first);
+      const FileCloud part = partOf (cloud, first, count, set_fields);
       if (is_ply)
         stream << plyVertices (part.points);
       else
@@ -382,16 +412,16 @@ saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set
 FileCloud
 loadStandardInput ()
 {
-  constexpr std::size_t buffer_size = 1U << 20U; // [bytes] as the longest header
+  constexpr std::size_t buffer_size = 1U << 20U; // [bytes], as the longest header
   if (::isatty (STDIN_FILENO) == 1)
     throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
   std::vector<char> buffer (buffer_size);
-  std::size_t count = readStandardInput (buffer);
+  std::size_t filled = readStandardInput (buffer); // number of bytes in the buffer
   const TemporaryFile temporary (
-      extensionOfContent (std::string (buffer.data(), count)), standard_input);
+      extensionOfContent (std::string (buffer.data(), filled)), standard_input);
   temporary.fill ([&] (std::ostream& stream) {
-    for (; count > 0 && stream; count = readStandardInput (buffer))
-      stream.write (buffer.data(), static_cast<std::streamsize> (count));
+    for (; filled > 0 && stream; filled = readStandardInput (buffer))
+      stream.write (buffer.data(), static_cast<std::streamsize> (filled));
   });
   try {
     return loadCloud (temporary.name());
@@ -424,40 +454,30 @@ setField (FileCloud& cloud,
           const void* values,
           const std::string& before)
 {
-  constexpr pcl::uindex_t length = 4; // of the field [bytes]
   pcl::PCLPointCloud2& points = cloud.points;
-  const int replaced = pcl::getFieldIndex (points, name);
-  const bool is_new = replaced < 0;
-  const int next = is_new ? pcl::getFieldIndex (points, before) : replaced;
-  std::size_t index = points.fields.size(); // where no field has either name
-  if (next >= 0)
-    index = static_cast<std::size_t> (next);
+  const int index_of_same_name = pcl::getFieldIndex (points, name);
+  const bool is_new = index_of_same_name < 0;
+  const int found_index =
+      is_new ? pcl::getFieldIndex (points, before) : index_of_same_name;
+  // The index of the field once it is set; the end where no field has either name.
+  const std::size_t index =
+      found_index < 0 ? points.fields.size() : static_cast<std::size_t> (found_index);
   const auto offset_of = [&] (std::size_t i) {
     return i < points.fields.size() ? points.fields[i].offset : points.point_step;
   };
-  // The field replaces the bytes of a point from begin to end.
+  // The field replaces the bytes of a point from begin up to end; none if it is new.
   const pcl::uindex_t begin = offset_of (index);
   const pcl::uindex_t end = is_new ? begin : offset_of (index + 1);
-  const pcl::uindex_t step = points.point_step - (end - begin) + length;
-
-  std::vector<std::uint8_t> bytes (cloud.size() * step);
-  std::uint8_t* out = bytes.data();
-  const auto* value = static_cast<const std::uint8_t*> (values);
-  for (std::size_t i = 0; i < cloud.size(); ++i, value += length) {
-    const std::uint8_t* const point = points.data.data() + i * points.point_step;
-    out = std::copy_n (point, begin, out);
-    out = std::copy_n (value, length, out);
-    out = std::copy (point + end, point + points.point_step, out);
-  }
+  points.data = dataWithValues (points, begin, end, values);
   if (is_new)
     points.fields.insert (points.fields.begin() + static_cast<std::ptrdiff_t> (index),
                           pcl::PCLPointField());
   points.fields[index] = fieldOf (name, begin, datatype, 1);
   for (std::size_t i = index + 1; i < points.fields.size(); ++i)
-    points.fields[i].offset = begin + length + (points.fields[i].offset - end);
-  points.data = std::move (bytes);
-  points.point_step = step;
-  points.row_step = step * points.width;
+    points.fields[i].offset =
+        begin + set_field_length + (points.fields[i].offset - end);
+  points.point_step = points.point_step - (end - begin) + set_field_length;
+  points.row_step = points.point_step * points.width;
 }
 
 } // namespace pcl_ops::apps

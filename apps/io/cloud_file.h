@@ -17,12 +17,12 @@ namespace pcl_ops::apps {
 
 struct LasFile;
 
-/** \brief One of several scans in a file. Its last point is in front of the first point
- * of the next scan, or is the last one of the cloud. */
+/** \brief One of several scans in a file. The points of a scan follow one another in
+ * the cloud and end where the next scan begins. */
 struct Scan {
-  /** \brief Index of its first point in the cloud. */
+  /** \brief Index in the cloud of the first point of the scan. */
   std::size_t first;
-  /** \brief The position of the scanner, in the common frame of all scans. */
+  /** \brief Where the scanner stood, in the common frame of all scans. */
   Eigen::Vector3d position;
 };
 
@@ -37,21 +37,23 @@ sizeOf (const pcl::PCLPointCloud2& points)
   return static_cast<std::size_t> (points.width) * points.height;
 }
 
-/** \brief A cloud with every field of its file, and the sensor's pose in the frame of
- * the coordinates. The origin is zero and the orientation the identity where the file
- * has no valid one. The pose in a PLY is not read. */
+/** \brief A cloud with every field of its file, and the sensor's pose. */
 struct FileCloud {
   pcl::PCLPointCloud2 points;
+  /** \brief Position of the sensor in the frame of the points; zero where the file has
+   * no valid one. The pose in a PLY is not read. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /** \brief Rotation from the frame of the sensor to that of the points; the identity
+   * where the file has no valid one. */
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  /** \brief The open LAS that the points come from, with all bytes that have no field
-   * here; nullptr for other formats. */
+  /** \brief The open LAS file that the points come from: it has all attributes, \ref
+   * points only some. nullptr for other formats. */
   std::shared_ptr<LasFile> las = {};
-  /** \brief Whether the format is LAS, text, OFF or OBJ. These have no pose, and zero
-   * need not be the position of a sensor. */
+  /** \brief Whether the format is LAS, text, OFF or OBJ. Files of these formats have no
+   * pose, and \ref origin need not be the position of a sensor. */
   bool is_survey = false;
-  /** \brief The scans of a PTX with two or more, in the order of their points; then the
-   * pose above is not set. Else empty. */
+  /** \brief The scans of a PTX that has two or more, in the order of their points; then
+   * \ref origin and \ref orientation keep their defaults. Else empty. */
   std::vector<Scan> scans = {};
 
   std::size_t
@@ -72,8 +74,8 @@ hasCloudExtension (const std::string& file);
 bool
 isCloudFile (const std::string& file);
 
-/** \brief Lists the extensions of \ref isCloudFile, but .laz, for messages: ".pcd,
- * .ply, ... or .bin". */
+/** \brief Lists the extensions of \ref isCloudFile that every build reads, so not .laz,
+ * for messages: ".pcd, .ply, ... or .bin". */
 std::string
 folderExtensions ();
 
@@ -92,10 +94,9 @@ loadCloud (const std::string& file);
 FileCloud
 emptyLike (const FileCloud& cloud, std::size_t size);
 
-/** \brief Sets or changes fields of \p part, a copy of some points of a cloud: those
- * from index \p first on. It is also called with an empty \p part, for the header of a
- * file.
- */
+/** \brief Sets or changes fields of \p part, a copy of consecutive points of a cloud,
+ * of which the first one has the index \p first there. Also called with a part without
+ * points, whose fields tell the header of the file. */
 using SetFields = std::function<void (FileCloud& part, std::size_t first)>;
 
 /** \brief Writes a .ply (\ref plyHeader), or for any other extension a binary PCD, by
@@ -134,10 +135,10 @@ addField (const std::string& name,
 bool
 hasField (const FileCloud& cloud, const std::string& name);
 
-/** \brief Sets a field of four bytes of every point. It replaces the field of its name,
- * with any padding up to the next field. If no field has its name, it goes in front of
- * the field called \p before, or to the end if there is no such field either. The
- * fields must be in the order of their offsets.
+/** \brief Sets a field of four bytes of every point. A field with the same name is
+ * replaced, together with any padding up to the next field. If no field has the name,
+ * the new field goes in front of the field called \p before, or to the end if there is
+ * no such field either. The fields must be in the order of their offsets.
  * \param[in] datatype a type of pcl::PCLPointField
  * \param[in] values four bytes for each point */
 void

@@ -41,14 +41,14 @@ void
 splitWords (std::string_view line, char separator, std::vector<std::string_view>& words)
 {
   words.clear();
-  const bool are_between_blanks = separator == ' ';
+  const bool splits_at_blanks = separator == ' ';
   const std::string_view separators =
-      are_between_blanks ? blanks : std::string_view (&separator, 1);
+      splits_at_blanks ? blanks : std::string_view (&separator, 1);
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end =
         std::min (line.find_first_of (separators, begin), line.size());
     const std::string_view word = trimmed (line.substr (begin, end - begin));
-    if (!word.empty() || !are_between_blanks)
+    if (!word.empty() || !splits_at_blanks)
       words.push_back (word);
     begin = end + 1;
   }
@@ -57,21 +57,21 @@ splitWords (std::string_view line, char separator, std::vector<std::string_view>
 std::vector<std::size_t>
 FileReader::joinNextLines (std::size_t count)
 {
-  constexpr std::size_t max_lines = 8;
-  const std::string first = line_;
-  const std::uint64_t number_of_first = lines_;
+  constexpr std::size_t max_lines = 8; // with the first one; RealSense's viewer has 2
+  const std::string first_line = line_;
+  const std::uint64_t first_line_number = lines_;
   std::vector<std::size_t> lengths = {words_.size()};
   std::string next;
   while (words_.size() < count && lengths.back() > 0 && lengths.size() < max_lines &&
          readLine (next)) {
-    const std::size_t before = words_.size();
+    const std::size_t words_before = words_.size();
     setLine (line_ + ' ' + next, ' ');
-    lengths.push_back (words_.size() - before);
+    lengths.push_back (words_.size() - words_before);
   }
   if (words_.size() == count && lengths.back() > 0)
     return lengths;
-  setLine (first, ' ');
-  lines_ = number_of_first; // the line that an error names
+  setLine (first_line, ' ');
+  lines_ = first_line_number; // errors are about this line
   return {words_.size()};
 }
 
@@ -104,7 +104,7 @@ FileReader::FileReader (const std::string& file,
 }
 
 Words
-FileReader::nextHeaderLine (const std::string& last)
+FileReader::nextHeaderLine (const std::string& last_key)
 {
   constexpr std::uint64_t max_header_size = 1U << 20U; // 1 MiB, as the message says
   ++lines_;
@@ -117,7 +117,7 @@ FileReader::nextHeaderLine (const std::string& last)
   }
   if (c != '\n')
     fail (stream_ ? "its header is longer than 1 MiB"
-                  : "its header has no line " + last);
+                  : "its header has no line " + last_key);
   std::istringstream parts (line_);
   Words words;
   for (std::string word; parts >> word;)
@@ -164,7 +164,7 @@ FileReader::readNumber (std::size_t i, const NumberType& type, void* bytes) cons
 void
 FileReader::failAtWord (const std::string& word) const
 {
-  const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
+  const NumberType& float64 = numberType (pcl::PCLPointField::FLOAT64);
   std::string with_decimal_points = word;
   std::replace (with_decimal_points.begin(), with_decimal_points.end(), ',', '.');
   std::vector<std::string_view> parts;
@@ -172,7 +172,7 @@ FileReader::failAtWord (const std::string& word) const
   const bool are_numbers =
       std::all_of (parts.begin(), parts.end(), [&] (std::string_view part) {
         double ignored = 0.0;
-        return type.parse (part, &ignored);
+        return float64.parse (part, &ignored);
       });
   std::string problem = "which is no number";
   if (are_numbers && parts.size() > 1)
@@ -202,13 +202,13 @@ FileReader::isNumber (std::size_t i) const
 
 void
 FileReader::expectWordCount (std::size_t count,
-                             const std::vector<bool>& may_be_words) const
+                             const std::vector<bool>& may_be_text) const
 {
   if (words_.size() == count)
     return;
   for (std::size_t i = 0; i < words_.size(); ++i)
-    if (i >= may_be_words.size() || !may_be_words[i])
-      number (i); // fails if it is a word, which explains more than the count
+    if (i >= may_be_text.size() || !may_be_text[i])
+      number (i); // fails if the word is no number: a better message than the count
   failAtLine ("has " + std::to_string (words_.size()) + " numbers instead of " +
               std::to_string (count));
 }
@@ -239,12 +239,13 @@ FileReader::nextWords()
 void
 FileReader::skipByteOrderMark()
 {
-  std::string mark (std::min<std::uint64_t> (3, file_size_), '\0');
-  read (mark.data(), mark.size());
-  const std::string utf16_mark = mark.substr (0, 2);
-  if (utf16_mark == "\xff\xfe" || utf16_mark == "\xfe\xff")
+  const std::string utf8_mark = "\xef\xbb\xbf";
+  std::string start (std::min<std::uint64_t> (utf8_mark.size(), file_size_), '\0');
+  read (start.data(), start.size());
+  const std::string first_two = start.substr (0, 2);
+  if (first_two == "\xff\xfe" || first_two == "\xfe\xff") // marks of UTF-16
     fail ("it is UTF-16, not UTF-8");
-  if (mark != "\xef\xbb\xbf") // that of UTF-8
+  if (start != utf8_mark)
     goTo (0);
 }
 

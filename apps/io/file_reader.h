@@ -18,20 +18,21 @@ using Words = std::vector<std::string>;
 constexpr std::size_t max_columns = 1000;
 
 /** \brief Splits a line into words, without the blanks around them.
- * \param[in] separator between words. A space stands for any run of blanks (spaces,
- * tabs, carriage returns). Between two of another separator is an empty word.
- * \param[out] words parts of \p line, which must outlive them */
+ * \param[in] separator the character between words. A space stands for any run of blanks
+ * (spaces, tabs, carriage returns). Two other separators in a row have an empty word
+ * between them.
+ * \param[out] words parts of \p line: they are valid as long as its characters are */
 void
 splitWords (std::string_view line,
             char separator,
             std::vector<std::string_view>& words);
 
 /** \brief Reads the parts of a file for the readers of all formats: lines of a header,
- * bytes, and lines of numbers. It also words their error messages. Offsets are from the
- * beginning of the file, in bytes.
+ * bytes, and lines of numbers. Also words the error messages of these readers. Offsets
+ * are from the beginning of the file, in bytes.
  *
- * Where a number should be it refuses any other word. PCL's readers put a point at
- * zero there, or one without coordinates. */
+ * A word in place of a number is an error. For such a word PCL's readers return a point
+ * at zero, or one without coordinates. */
 class FileReader {
 public:
   /** \param[in] format e.g. "PCD", for error messages
@@ -88,11 +89,11 @@ public:
   }
 
   /** \brief Returns the words of the next line of a header.
-   * \param[in] last keyword of the line that should end the header, for the message
+   * \param[in] last_key keyword of the line that ends a header, for the message
    * \throws WorkError if the file, or its first MiB, ends before the end of the next
    * line */
   Words
-  nextHeaderLine (const std::string& last);
+  nextHeaderLine (const std::string& last_key);
 
   /** \brief Skips the byte order mark of UTF-8 at the beginning of a text.
    * \throws WorkError if the text is UTF-16 */
@@ -108,9 +109,10 @@ public:
     return static_cast<bool> (std::getline (stream_, line));
   }
 
-  // The current line, divided into words: these functions set it.
+  // These functions set the current line, which is divided into words.
 
-  /** \brief Reads the next line and splits it at blanks.
+  /** \brief Makes the next line, a line of numbers, the current one and splits it at
+   * blanks. Does not check that its words are numbers; \ref readNumber does.
    * \return false if the line is empty
    * \throws WorkError at the end of the file */
   bool
@@ -122,22 +124,23 @@ public:
     return !line_.empty() && line_ != "\r"; // lines may end with CR LF
   }
 
-  /** \brief Reads the next line that has a word, without its comment, which begins with
-   * #.
+  /** \brief Makes the next line that has a word the current one, without its comment,
+   * which begins with #. Splits it at blanks.
    * \return false at the end of the file */
   bool
   nextWords ();
 
-  /** \brief Appends up to seven following lines to the current one if it then has
-   * exactly \p count words. Else the current line stays as it is, but the lines that
-   * were tried are skipped: the caller has to refuse the file. RealSense's viewer
-   * writes the position of a vertex in one line, its normal and its color in the next.
+  /** \brief Appends up to seven following lines to the current line if it then has
+   * exactly \p count words: RealSense's viewer writes the position of a vertex in one
+   * line, the normal and the color in the next. If no such number of lines has \p count
+   * words, the current line stays as it is, but the lines that were tried are skipped:
+   * the caller has to refuse the file.
    * \return the number of words of each joined line; one element if nothing was joined
    */
   std::vector<std::size_t>
   joinNextLines (std::size_t count);
 
-  /** \brief Reads a line for each element of \p lengths, and joins the lines.
+  /** \brief Makes the next lines, one for each element of \p lengths, one current line.
    * \param[in] lengths number of words of each line, as from \ref joinNextLines
    * \throws WorkError if a line has another number of words, or the file ends before */
   void
@@ -158,7 +161,7 @@ public:
     words_.erase (words_.begin());
   }
 
-  // These functions read the current line. Words are counted from 0.
+  // These functions read the current line. The index i of a word counts from 0.
 
   std::size_t
   wordCount () const
@@ -178,7 +181,7 @@ public:
 
   /** \brief Writes the number of word \p i into \p bytes; an empty word counts as nan.
    * \param[out] bytes as many as the type has
-   * \throws WorkError if it is no number or too large for double precision */
+   * \throws WorkError if the word is no number, or one too large for double precision */
   void
   readNumber (std::size_t i, const NumberType& type, void* bytes) const;
 
@@ -186,14 +189,15 @@ public:
   double
   number (std::size_t i) const;
 
-  /** \brief Checks that the line has \p count words. It does not check whether they are
+  /** \brief Checks that the line has \p count words. Does not check whether they are
    * numbers; \ref readNumber does.
-   * \param[in] may_be_words for each column, whether its word need not be a number
+   * \param[in] may_be_text for each column, whether its word need not be a number;
+   * empty: all should be numbers
    * \throws WorkError if there are more or fewer words. The error names the first word
-   * that should be a number but is not; if there is no such word, it says how many
-   * words there are. */
+   * that should be a number but is not; if there is no such word, the error says how
+   * many words there are. */
   void
-  expectWordCount (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
+  expectWordCount (std::size_t count, const std::vector<bool>& may_be_text = {}) const;
 
   /** \throws WorkError unless the line has 3 to \ref max_columns words */
   void
@@ -237,14 +241,14 @@ private:
   [[noreturn]] void
   failAtWord (const std::string& word) const;
 
-  /** \brief For messages. */
+  /** \brief Names of the file and of its format, for messages. */
   std::string file_, format_;
   /** \brief The current line, and its words. */
   std::string line_;
   std::vector<std::string_view> words_;
   std::ifstream stream_;
   std::uint64_t file_size_ = 0;
-  /** \brief Number of lines read so far. */
+  /** \brief Number of lines read so far: the number of the last one, from 1 on. */
   std::uint64_t lines_ = 0;
 };
 

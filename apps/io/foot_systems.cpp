@@ -9,17 +9,18 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Numbers from one to another, by steps. */
-struct Numbers {
+/** \brief The numbers first, first + step, first + 2 step and so on, up to last, which
+ * is one of them. */
+struct NumberRange {
   unsigned first, last, step;
 };
 
-/** \brief The 933 projected systems of the EPSG Geodetic Parameter Dataset, version
- * 10.076, whose axes are in feet or US survey feet (units 9002 and 9003). To have
- * fewer rows, the table includes numbers in between that the dataset does not give to a
- * projected system; it includes no number of a projected or compound system in another
- * unit. */
-constexpr Numbers systems_in_feet[] = {
+/** \brief The numbers of the 933 projected systems of the EPSG Geodetic Parameter
+ * Dataset, version 10.076, whose axes are in feet (unit 9002) or US survey feet (unit
+ * 9003). To have fewer rows, the table also has numbers that the dataset gives to no
+ * projected system. It has no number of a projected or compound system in another unit.
+ */
+constexpr NumberRange systems_in_feet[] = {
     {2155, 2155, 1},   {2194, 2194, 1},   {2204, 2204, 1},   {2222, 2289, 1},
     {2867, 2930, 1},   {2964, 2968, 1},   {2992, 2994, 2},   {3080, 3080, 1},
     {3089, 3091, 2},   {3102, 3102, 1},   {3359, 3365, 2},   {3404, 3404, 1},
@@ -51,9 +52,9 @@ isInFeet (unsigned epsg)
 {
   return std::any_of (std::begin (systems_in_feet),
                       std::end (systems_in_feet),
-                      [epsg] (const Numbers& numbers) {
-                        return epsg >= numbers.first && epsg <= numbers.last &&
-                               (epsg - numbers.first) % numbers.step == 0;
+                      [epsg] (const NumberRange& range) {
+                        return epsg >= range.first && epsg <= range.last &&
+                               (epsg - range.first) % range.step == 0;
                       });
 }
 

@@ -4,10 +4,10 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Whether x and y of a projected reference system are in feet, international or
- * US survey, as those of many US states are.
+/** \brief Whether x and y of a projected reference system are in international feet or
+ * in US survey feet, as in many states of the US.
  * \param[in] epsg number of a projected system in the EPSG Geodetic Parameter Dataset;
- * of other numbers the answer has no meaning */
+ * for any other number the answer has no meaning */
 bool
 isInFeet (unsigned epsg);
 

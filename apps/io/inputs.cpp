@@ -25,7 +25,7 @@ isPattern (const std::string& name)
   return name.find_first_of ("*?[") != std::string::npos;
 }
 
-/** \brief Adds the clouds in a folder, sorted, without hidden ones. */
+/** \brief Adds the clouds in a folder, sorted by name, without hidden ones. */
 void
 addFolder (const std::string& folder, InputFiles& found)
 {
@@ -49,9 +49,9 @@ addFolder (const std::string& folder, InputFiles& found)
   found.files.insert (found.files.end(), clouds.begin(), clouds.end());
 }
 
-/** \brief Adds the matches of a shell pattern. A matching folder stands for the clouds
- * in it. Any other match is taken as a file, even if its name looks like a pattern or
- * it is a broken link. */
+/** \brief Adds the matches of a shell pattern. A folder that matches stands for the
+ * clouds in it. Any other match is added as a file, even a broken link, or a name that
+ * looks like a pattern. */
 void
 addPattern (const std::string& pattern, InputFiles& found)
 {
@@ -69,7 +69,7 @@ addPattern (const std::string& pattern, InputFiles& found)
   ::globfree (&matches);
 }
 
-/** \brief Adds what a name given by the user stands for. */
+/** \brief Adds the files that a name given by the user stands for. */
 void
 addName (const std::string& name, InputFiles& found)
 {
@@ -93,12 +93,14 @@ findInputs (const std::vector<std::string>& names)
   InputFiles found;
   for (const std::string& name : names)
     addName (name, found);
-  std::set<std::string> seen;
-  const auto is_seen = [&] (const std::string& file) {
-    return !seen.insert (fs::absolute (file).lexically_normal().string()).second;
+  std::set<std::string> listed;
+  const auto is_repeated = [&] (const std::string& file) {
+    const std::string absolute_name = fs::absolute (file).lexically_normal().string();
+    return !listed.insert (absolute_name).second;
   };
-  found.files.erase (std::remove_if (found.files.begin(), found.files.end(), is_seen),
-                     found.files.end());
+  found.files.erase (
+      std::remove_if (found.files.begin(), found.files.end(), is_repeated),
+      found.files.end());
   return found;
 }
 

@@ -7,18 +7,19 @@
 
 namespace pcl_ops::apps {
 
+/** \brief The files that names on a command line stand for. */
 struct InputFiles {
-  /** \brief In the order of the names given, with the files of a folder or pattern
-   * sorted. Each file is listed once. */
+  /** \brief In the order of the names; the files of a folder or pattern are sorted by
+   * their own names. Each file is listed once. */
   std::vector<std::string> files;
-  /** \brief Messages on names that lead to no cloud: "name: what is wrong; fix". */
+  /** \brief Messages on names that lead to no cloud: "name: what is wrong; the fix". */
   std::vector<std::string> problems;
 };
 
 /** \brief Looks up names of files, of folders, which stand for the clouds in them (\ref
- * isCloudFile), and of shell patterns. An existing file is listed whatever its
- * extension; a missing one only if it has the extension of a cloud: its reader reports
- * that it is missing. */
+ * isCloudFile), and of shell patterns. A file that exists is listed whatever its
+ * extension is. A file that does not exist is listed only if it has the extension of a
+ * cloud: then \ref loadCloud reports that it is missing. */
 InputFiles
 findInputs (const std::vector<std::string>& names);
 
@@ -27,12 +28,15 @@ findInputs (const std::vector<std::string>& names);
 void
 checkIsOneCloud (const std::string& name);
 
-/** \param[in] kind of the file wanted, "a .json file", for the message
- * \throws WorkError if it does not exist or is a folder or a device */
+/** \brief Checks that a file exists and is a regular one.
+ * \param[in] kind of the file wanted, "a .json file", for the message
+ * \throws WorkError if the file does not exist, or is a folder or a device */
 void
 checkReadable (const std::string& file, const std::string& kind);
 
-/** \throws WorkError as \ref checkReadable, or if it cannot be read */
+/** \brief Returns the content of a file.
+ * \param[in] kind as of \ref checkReadable
+ * \throws WorkError as \ref checkReadable, or if the file cannot be read */
 std::string
 readTextFile (const std::string& file, const std::string& kind);
 

@@ -15,8 +15,8 @@ namespace pcl_ops::apps {
 
 /** \brief Writes a binary PCD with x, y, z and label, without the padding of
  * pcl::PointXYZL.
- * \param[in] is_ignored value of the field `ignore` of each point; if empty, the file
- * has no such field */
+ * \param[in] is_ignored for each point, whether its true label is unknown (1) or not (0): the
+ * field `ignore`. If empty, the file has no such field. */
 inline void
 saveLabeledPcd (const std::string& file,
                 const pcl::PointCloud<pcl::PointXYZL>& cloud,
@@ -26,8 +26,8 @@ saveLabeledPcd (const std::string& file,
                    cloud.sensor_origin_.head<3>().cast<double>(),
                    cloud.sensor_orientation_.cast<double>()};
   pcl::PCLPointCloud2& points = packed.points;
-  for (const char* axis : {"x", "y", "z"})
-    addField (axis, pcl::PCLPointField::FLOAT32, points);
+  for (const char* coordinate : {"x", "y", "z"})
+    addField (coordinate, pcl::PCLPointField::FLOAT32, points);
   addField ("label", pcl::PCLPointField::UINT32, points);
   if (!is_ignored.empty())
     addField ("ignore", pcl::PCLPointField::UINT8, points);

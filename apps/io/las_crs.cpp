@@ -11,28 +11,29 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns the value of the GeoTIFF key with the id \p wanted; 0 if there is no
- * such key, or its value is not in the directory.
- * \param[in] directory content of the VLR with GeoTIFF keys */
+/** \brief Returns the value of the GeoTIFF key with an id; 0 if there is no such key,
+ * or its value is not in the directory.
+ * \param[in] directory of GeoTIFF keys, as for \ref geoKeysIn */
 std::uint16_t
-valueOfKey (const std::string& directory, std::uint16_t wanted)
+valueOfKey (const std::string& directory, std::uint16_t id)
 {
   for (const GeoKey& key : geoKeysIn (directory))
-    if (key.id == wanted && key.location == 0)
+    if (key.id == id && key.location == 0)
       return key.value;
   return 0;
 }
 
-/** \brief Returns the reference system as \ref crsOf does. */
+/** \brief Returns the reference system of x and y by GeoTIFF keys: "EPSG:N", or empty
+ * if no key has its number.
+ * \param[in] directory of GeoTIFF keys, as for \ref geoKeysIn */
 std::string
 crsInKeys (const std::string& directory)
 {
-  // The ids of the keys whose values are EPSG numbers of reference systems, and the
-  // value of a system that has no number.
-  constexpr std::uint16_t projected_id = 3072;
-  constexpr std::uint16_t geographic_id = 2048;
-  constexpr std::uint16_t user_defined = 32767;
-  // A file with a projected system may name its geographic base, too.
+  // Ids of keys whose value is the EPSG number of a reference system.
+  constexpr std::uint16_t projected_id = 3072, geographic_id = 2048;
+  constexpr std::uint16_t user_defined = 32767; // the value for a system without number
+  // The projected system goes first: a file that has one may also have the geographic
+  // system it is based on.
   for (const std::uint16_t id : {projected_id, geographic_id}) {
     const std::uint16_t number = valueOfKey (directory, id);
     if (number == user_defined)
@@ -51,11 +52,11 @@ crsInWkt (const std::string& text)
   // The EPSG number ends the text of a system; a vertical system may follow.
   static const std::regex epsg_at_end (
       R"re((AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?([0-9]{1,7})"?\s*\]\s*\]\s*,?\s*$)re");
-  std::string system = text.substr (0, beginOfHeights (text));
+  std::string system = text.substr (0, verticalSystemBegin (text));
   while (!system.empty() && system.back() == '\0')
     system.pop_back();
-  constexpr std::size_t max_searched =
-      100; // letters; the number and what follows are shorter
+  // Only the last characters are searched: what the expression matches is shorter.
+  constexpr std::size_t max_searched = 100;
   const std::string end =
       system.substr (system.size() - std::min (max_searched, system.size()));
   std::smatch found;

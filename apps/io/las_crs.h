@@ -18,8 +18,8 @@ crsInWkt (const std::string& text);
 std::string
 crsOf (LasFile& las);
 
-/** \brief Returns how many units of x and y make a meter, by the reference system: 3.28
- * for feet, else 1, also for degrees and unknown units. */
+/** \brief Returns the length of a meter in the unit of x and y (\ref unitOf): 3.28 for
+ * feet; 1 for meters, and also for degrees and unknown units. */
 double
 unitsInMeter (LasFile& las);
 

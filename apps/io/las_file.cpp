@@ -20,21 +20,24 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief Bytes of a field that is written: all have 32 bits. */
+/** \brief Bytes of each field that is added: all fields of \ref LasColumn have 32 bits.
+ */
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
 constexpr std::uint64_t max_uint16 = std::numeric_limits<std::uint16_t>::max();
 constexpr std::uint64_t max_uint32 = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief A point of \ref LasFile::readPoints, in its byte layout. Points of
- * clouds without labels end in front of the label. */
+/** \brief A point of the cloud of \ref LasFile::readPoints, in its byte layout. In a
+ * cloud without labels a point ends in front of the label. */
 struct PackedPoint {
   Eigen::Vector3d position;
   float intensity;
   std::uint32_t label;
 };
 
-/** \brief Calls \p visit with a pointer to each point record, in their order. */
+/** \brief Calls \p visit with a pointer to each point record, in the order of the
+ * points.
+ */
 template <typename Visit>
 void
 forRecords (LasFile& las, Visit&& visit)
@@ -54,14 +57,14 @@ forRecords (LasFile& las, Visit&& visit)
 Eigen::Vector3d
 positionIn (const char* record, const LasFile& las)
 {
-  // Of any point data record format, as only the coordinates are read.
+  // Records of all formats begin with the coordinates, and only these are read.
   const auto& point = *reinterpret_cast<const LasPoint*> (record);
   const Eigen::Vector3d raw (point.raw[0], point.raw[1], point.raw[2]);
-  return raw.cwiseProduct (las.scale) + las.offset;
+  return raw.cwiseProduct (las.coordinate_scale) + las.coordinate_offset;
 }
 
-/** \brief Returns the offset in a record [bytes] of the field with the name and type of
- * \p field, if the file has one. */
+/** \brief Returns the offset in a record [bytes] of the field of a file that has the
+ * name and the type of \p field; nothing if the file has no such field. */
 std::optional<std::uint64_t>
 offsetOf (const LasField& field, const LasFile& las)
 {
@@ -78,27 +81,27 @@ descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
 {
   // One description per byte: CloudCompare counts several undocumented bytes as one
   // (LasExtraScalarField::elementSize) and then reads later fields at wrong offsets.
-  // More than 64 bytes, whose descriptions would be long, get as few as possible.
+  // More than 64 bytes get as few descriptions as possible, as each takes 192 bytes.
   constexpr std::uint64_t max_described_one_by_one = 64;
-  constexpr std::uint64_t most_in_description =
+  constexpr std::uint64_t max_bytes_of_description =
       std::numeric_limits<std::uint8_t>::max();
-  const std::uint64_t unknown = las.header.record_length - las.fields_end;
-  const std::uint64_t in_each =
-      unknown > max_described_one_by_one ? most_in_description : 1;
-  std::string bytes;
-  for (std::uint64_t left = unknown; left > 0;) {
+  const std::uint64_t undescribed = las.header.record_length - las.fields_end;
+  const std::uint64_t bytes_of_each =
+      undescribed > max_described_one_by_one ? max_bytes_of_description : 1;
+  std::string descriptions;
+  for (std::uint64_t remaining = undescribed; remaining > 0;) {
     LasField undocumented;
-    undocumented.options = std::uint8_t (std::min (left, in_each));
-    bytes += descriptionOf (undocumented);
-    left -= undocumented.options;
+    undocumented.options = std::uint8_t (std::min (remaining, bytes_of_each));
+    descriptions += descriptionOf (undocumented);
+    remaining -= undocumented.options;
   }
   for (const LasField& field : added)
-    bytes += descriptionOf (field);
-  return bytes;
+    descriptions += descriptionOf (field);
+  return descriptions;
 }
 
-/** \brief Returns the bytes in front of the points of a copy whose records end with
- * further fields. */
+/** \brief Returns the bytes in front of the points of a copy of a file, in which the
+ * added fields are at the end of each record. */
 std::string
 frontWith (const std::vector<LasField>& added, LasFile& las)
 {
@@ -108,8 +111,9 @@ frontWith (const std::vector<LasField>& added, LasFile& las)
     return front;
   const std::uint64_t added_length = added.size() * field_length;
   const std::string descriptions = descriptionsOf (added, las);
-  LasHeader copy = header;
-  copy.record_length = static_cast<std::uint16_t> (header.record_length + added_length);
+  LasHeader copy_header = header;
+  copy_header.record_length =
+      static_cast<std::uint16_t> (header.record_length + added_length);
   if (las.extra_bytes) {
     const std::uint64_t size = las.extra_bytes->contentSize() + descriptions.size();
     auto& vlr = reinterpret_cast<LasStandardVlrHeader&> (front[las.extra_bytes->begin]);
@@ -117,36 +121,37 @@ frontWith (const std::vector<LasField>& added, LasFile& las)
     front.insert (las.extra_bytes->end, descriptions);
   }
   else {
-    ++copy.vlr_count;
+    ++copy_header.vlr_count;
     front.insert (las.vlrs_end, extraBytesVlr (descriptions, header.minor_version));
   }
-  const std::uint64_t copy_points_end = front.size() + las.size() * copy.record_length;
-  las.replaceHeader (copy, header.pointsEnd(), copy_points_end, front);
+  const std::uint64_t copy_points_end =
+      front.size() + las.size() * copy_header.record_length;
+  las.replaceHeader (copy_header, header.pointsEnd(), copy_points_end, front);
   return front;
 }
 
-/** \brief Writes the file with \p columns, uncompressed. */
+/** \brief Writes a copy of a file with \p columns (\ref saveLasWith), uncompressed. */
 void
 writeWith (const std::vector<LasColumn>& columns, LasFile& las, std::ostream& stream)
 {
   std::vector<LasField> added;
-  std::vector<std::uint64_t> offsets; // in a record, of each column
-  std::uint64_t copy_length = las.header.record_length;
+  std::vector<std::uint64_t> offsets; // of each column, in a record of the copy
+  std::uint64_t copy_record_length = las.header.record_length;
   for (const LasColumn& column : columns) {
-    const std::optional<std::uint64_t> known = offsetOf (column.field, las);
-    offsets.push_back (known.value_or (copy_length));
-    if (known)
+    const std::optional<std::uint64_t> known_offset = offsetOf (column.field, las);
+    offsets.push_back (known_offset.value_or (copy_record_length));
+    if (known_offset)
       continue;
     added.push_back (column.field);
-    copy_length += field_length;
+    copy_record_length += field_length;
   }
   stream << frontWith (added, las);
-  constexpr std::size_t buffer_size = 1U << 16U;
+  constexpr std::size_t buffer_size = 1U << 16U; // [bytes]
   std::string records;
   forRecords (las, [&] (const char* record) {
     const std::size_t begin = records.size();
     records.append (record, las.header.record_length);
-    records.resize (begin + copy_length);
+    records.resize (begin + copy_record_length);
     const Eigen::Vector3d position = positionIn (record, las);
     for (std::size_t i = 0; i < columns.size(); ++i)
       reinterpret_cast<LasHeader::UInt32&> (records[begin + offsets[i]]) =
@@ -160,7 +165,8 @@ writeWith (const std::vector<LasColumn>& columns, LasFile& las, std::ostream& st
   las.copyFrom (las.header.pointsEnd(), stream);
 }
 
-/** \brief Returns the header of \ref saveLas, but for the offset to the points. */
+/** \brief Returns the header of \ref saveLas, in which the offset of the points is not
+ * set. */
 LasHeader
 headerOf (const std::vector<LasPoint>& points,
           double scale,
@@ -195,8 +201,8 @@ pcl::PCLPointCloud2
 LasFile::readPoints()
 {
   pcl::PCLPointCloud2 cloud;
-  for (const char* axis : {"x", "y", "z"})
-    addField (axis, PCLPointField::FLOAT64, cloud);
+  for (const char* coordinate : {"x", "y", "z"})
+    addField (coordinate, PCLPointField::FLOAT64, cloud);
   addField ("intensity", PCLPointField::FLOAT32, cloud);
   const std::optional<std::uint64_t> label_offset = offsetOf (label_field, *this);
   if (label_offset)
@@ -225,7 +231,7 @@ LasFile::position (std::uint64_t point)
   constexpr std::uint64_t max_in_block = 4096;
   const std::uint64_t block_end = first_in_block + points_in_block;
   if (point < first_in_block || point >= block_end) {
-    const bool is_next = point == block_end;
+    const bool is_next = point == block_end; // the first point is, too
     points_in_block = is_next ? std::min (max_in_block, size() - point) : 1;
     first_in_block = point;
     const std::uint64_t begin = header.points_offset + point * header.record_length;
@@ -259,15 +265,15 @@ LasFile::validate (const std::vector<LasField>& wanted) const
   for (const LasField& field : wanted) {
     if (offsetOf (field, *this))
       continue;
-    for (const LasField& known : fields)
-      if (known.name == field.name)
+    for (const LasField& described : fields)
+      if (described.name == field.name)
         return "has an extra-bytes field " + field.name + " that is no " +
                field.type_name + "; rename it or give an OUTPUT.pcd";
     added.push_back (field);
   }
   if (added.empty())
     return "";
-  if (describes_behind_points)
+  if (has_extra_bytes_evlr)
     return "describes its Extra Bytes behind its points, where no field can be added; "
            "give an OUTPUT.pcd";
   const std::uint64_t content_size = extra_bytes ? extra_bytes->contentSize() : 0;

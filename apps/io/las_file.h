@@ -16,28 +16,29 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Returns the four bytes of a field, e.g. the label, of the next point, given
- * its position. It is called once for each point, in their order. */
+/** \brief Returns the four bytes of a field, e.g. the label, of the next point. Called
+ * once for each point, in the order of the points.
+ * \param[in] position of the point */
 using NextFieldValue = std::function<std::uint32_t (const Eigen::Vector3d& position)>;
 
 /** \brief Called with the position and the label of a point. */
 using VisitLabeledPosition =
     std::function<void (const Eigen::Vector3d& position, std::uint32_t label)>;
 
-/** \brief A field of extra bytes, and its values for all points. */
+/** \brief A field of extra bytes to be written, and its values for all points. */
 struct LasColumn {
   LasField field;
   NextFieldValue next_value;
 };
 
-/** \brief A LAS file, versions 1.0 to 1.4. It stays open, so that attributes other than
- * coordinates can be copied later and need no memory. The file may be removed
- * meanwhile. */
+/** \brief A LAS file, versions 1.0 to 1.4. The file stays open, so that attributes
+ * other than coordinates can be copied later and need no memory. It may be removed from
+ * its folder meanwhile. */
 struct LasFile {
-  /** \throws WorkError if it is no LAS file, a variable length record does not fit
-   * before the points, or the Extra Bytes VLR describes more bytes than a record has
-   * \param[in] name_in_messages of the file that was decompressed into this one; empty
-   * for none */
+  /** \param[in] name_in_messages of the file that was decompressed into \p file; empty
+   * if \p file was not made by decompression
+   * \throws WorkError if \p file is no LAS file, a variable length record does not fit
+   * before the points, or the Extra Bytes VLR describes more bytes than a record has */
   explicit LasFile (const std::string& file, const std::string& name_in_messages = "");
 
   /** \brief Number of points. */
@@ -64,34 +65,35 @@ struct LasFile {
   void
   checkPoints ();
 
-  /** \brief Sets the fields to those that an Extra Bytes VLR describes.
-   * \throws WorkError if it describes more bytes than a record has */
+  /** \brief Sets \ref fields to those that an Extra Bytes VLR describes.
+   * \throws WorkError if they have more bytes than a record */
   void
   readFields (const LasVlr& vlr);
 
+  // Call checkPoints before the following functions, which read points.
+
   /** \brief Returns all points with x, y, z in double precision, intensity in single
-   * precision, and label, if the file has a \ref label_field. Call \ref checkPoints
-   * before this and the following functions that read points. */
+   * precision, and label, if the file has a \ref label_field. */
   pcl::PCLPointCloud2
   readPoints ();
 
-  /** \param[in] point index in the file, from 0 */
+  /** \brief Returns the coordinates of a point.
+   * \param[in] point index in the file, from 0 */
   Eigen::Vector3d
   position (std::uint64_t point);
 
-  /** \brief Calls \p visit with the position of every point, in their order. Only a
-   * block of points is in memory at a time. */
+  /** \brief Calls \p visit with the position of every point, in the order of the
+   * points. Only a block of points is in memory at a time. */
   void
   forPositions (const std::function<void (const Eigen::Vector3d&)>& visit);
 
-  /** \brief Calls \p visit with the position and the label of every point, as
-   * \ref forPositions.
+  /** \brief Does the same as \ref forPositions with the label of every point, too.
    * \throws WorkError if the file has no labels */
   void
   forLabels (const VisitLabeledPosition& visit);
 
-  /** \brief Checks whether a copy of the file can have these fields, too.
-   * \return why not, and the fix; empty if it can */
+  /** \brief Checks whether a copy of the file can have the wanted fields, too.
+   * \return why it cannot, and the fix; empty if it can */
   std::string
   validate (const std::vector<LasField>& wanted) const;
 
@@ -105,19 +107,20 @@ struct LasFile {
     return bytes;
   }
 
-  /** \brief Completes the header of a copy of this file, and writes it over the header
-   * that \p front begins with.
-   * \param[in] copy the header; its offsets are still those of this file
+  /** \brief Sets the offsets in the header of a copy of this file, and writes the
+   * header to the beginning of \p front.
+   * \param[in] copy_header its offsets are still those of this file
    * \param[in] points_end, copy_points_end offsets of the end of the points in this file
    * and in the copy
-   * \param[in,out] front all bytes of the copy in front of its points */
+   * \param[in,out] front all bytes of the copy in front of its points, with any bytes in
+   * place of the header */
   void
-  replaceHeader (LasHeader copy,
+  replaceHeader (LasHeader copy_header,
                  std::uint64_t points_end,
                  std::uint64_t copy_points_end,
                  std::string& front) const;
 
-  /** \brief Writes the bytes from the offset \p begin up to the end of the file. */
+  /** \brief Writes the bytes of the file from the offset \p begin on. */
   void
   copyFrom (std::uint64_t begin, std::ostream& stream);
 
@@ -125,34 +128,39 @@ struct LasFile {
   std::string file;
   FileReader reader;
   LasHeader header;
-  /** \brief Those of the header. */
-  Eigen::Vector3d scale, offset;
-  /** \brief Offset of the end of the last VLR in the file [bytes]. */
+  /** \brief LasHeader::scale and LasHeader::offset: along each axis a coordinate is
+   * raw * scale + offset. */
+  Eigen::Vector3d coordinate_scale, coordinate_offset;
+  /** \brief Offset in the file of the end of the last VLR [bytes]. */
   std::uint64_t vlrs_end;
-  /** \brief The VLRs that describe the extra bytes of a record, and compressed points.
-   */
-  std::optional<LasVlr> extra_bytes, laszip;
-  /** \brief The VLRs with the reference system as WKT and as GeoTIFF keys; the last one
-   * of each kind counts. */
+  /** \brief The VLR that describes the extra bytes of a record. */
+  std::optional<LasVlr> extra_bytes;
+  /** \brief The VLR that describes how points are compressed. */
+  std::optional<LasVlr> laszip;
+  /** \brief The VLRs with the reference system, as WKT and as GeoTIFF keys; the last
+   * one of each kind, if there are several. */
   std::optional<LasVlr> wkt, geo_keys;
-  /** \brief Whether the Extra Bytes VLR is an extended one, which follows the points;
-   * known from \ref checkPoints on. Then \ref extra_bytes is not set. */
-  bool describes_behind_points = false;
+  /** \brief Whether an extended VLR, which follows the points, describes the extra
+   * bytes. Then \ref extra_bytes is not set. Is set by \ref checkPoints. */
+  bool has_extra_bytes_evlr = false;
   /** \brief The fields that the Extra Bytes VLR describes. */
   std::vector<LasField> fields;
-  /** \brief Offset of the end of these fields in a record [bytes]. */
+  /** \brief Offset in a record of the end of these fields [bytes]. */
   std::uint64_t fields_end;
-  /** \brief The records that \ref position read last. */
+  /** \brief The point records that \ref position read last, one after the other. */
   std::string block;
-  /** \brief Index of the first point in \ref block, and the number of points there. */
+  /** \brief Index in the file of the first point of \ref block, and the number of
+   * points of \ref block. */
   std::uint64_t first_in_block = 0, points_in_block = 0;
 };
 
+/** \brief Whether the extension is .las or .laz. */
 bool
 isLasName (const std::string& file);
 
 /** \brief Opens a .las, whose points are read later. A .laz is decompressed into a
- * temporary file ($TMPDIR) first, which is unlinked while it is open.
+ * temporary file ($TMPDIR) first. This file is removed from its folder at once, but
+ * stays readable while the returned object exists.
  * \throws WorkError as \ref loadCloud */
 std::shared_ptr<LasFile>
 openLas (const std::string& file);
@@ -161,14 +169,15 @@ openLas (const std::string& file);
  * \p file is a .laz. A field replaces one of the same name and type; all other data are
  * kept.
  * \param[in] columns with fields that LasFile::validate allows
- * \throws WorkError if the file of \p las was cut meanwhile */
+ * \throws WorkError if the file of \p las has become shorter since it was opened */
 void
 saveLasWith (const std::string& file,
              LasFile& las,
              const std::vector<LasColumn>& columns);
 
-/** \brief Calls \ref saveLasWith with a label and, unless these are empty, a distance
- * and a plane for each point. */
+/** \brief Calls \ref saveLasWith with the fields label, distance and plane.
+ * \param[in] labels one for each point
+ * \param[in] distances, planes one for each point; empty: no such field */
 void
 saveLabeledLas (const std::string& file,
                 LasFile& las,
@@ -176,13 +185,16 @@ saveLabeledLas (const std::string& file,
                 const std::vector<float>& distances = {},
                 const std::vector<std::uint32_t>& planes = {});
 
-/** \brief A record of point data record format 0 with a label. All formats begin with
- * the raw coordinates and the intensity. */
+/** \brief A record of point data record format 0, and a label as extra bytes. The
+ * records of all formats begin with the raw coordinates and the intensity. */
 struct LasPoint {
-  /** \brief Coordinates are raw * LasHeader::scale + LasHeader::offset. */
+  /** \brief For x, y and z: a coordinate is raw * LasHeader::scale + LasHeader::offset.
+   */
   std::array<boost::endian::little_int32_t, 3> raw{};
   LasHeader::UInt16 intensity = 0;
-  /** \brief Number of the return, class and the like. */
+  /** \brief The other attributes of the format: number of the return, class and the
+   * like.
+   */
   std::array<char, 6> others{};
   LasHeader::UInt32 label = 0;
 };
@@ -203,16 +215,15 @@ saveLas (const std::string& file,
 bool
 hasLaszip ();
 
-// These two throw a WorkError if the file is damaged or LASzip is missing, and
-// Interrupted.
-
-/** \brief Writes the LAS that the LAZ \p file was made from, byte by byte the same. */
+/** \brief Writes the LAS from which the LAZ \p file was made, the same in each byte.
+ * \throws WorkError if the file is damaged or this build has no LASzip, Interrupted */
 void
 decompressLaz (const std::string& file, std::ostream& stream);
 
 /** \brief Writes the LAS \p file with compressed points; all other data are kept.
- * \param[in] stream at its beginning; it must be seekable, as the header is written
- * again at last */
+ * \param[in] stream at its beginning; must be seekable, as the header is written once
+ * more after the points
+ * \throws WorkError as \ref decompressLaz, Interrupted */
 void
 compressLas (const std::string& file, std::ostream& stream);
 

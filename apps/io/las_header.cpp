@@ -17,8 +17,10 @@ namespace pcl_ops::apps {
 namespace {
 
 constexpr std::uint8_t newest_minor_version = 4;
-constexpr std::uint16_t extra_bytes_id = 4;
-constexpr const char* extra_bytes_user = "LASF_Spec";
+
+/** \brief The ids of an Extra Bytes VLR. */
+constexpr std::uint16_t extra_bytes_record_id = 4;
+constexpr const char* extra_bytes_user_id = "LASF_Spec";
 
 /** \brief The description of a field in an Extra Bytes VLR, in its byte layout. */
 struct Description {
@@ -30,6 +32,7 @@ struct Description {
 };
 static_assert (sizeof (Description) == 192, "as in LAS 1.4");
 
+/** \brief Returns the text in a field of fixed size, which ends at the first zero. */
 template <std::size_t size>
 std::string
 textIn (const std::array<char, size>& bytes)
@@ -37,8 +40,8 @@ textIn (const std::array<char, size>& bytes)
   return {bytes.begin(), std::find (bytes.begin(), bytes.end(), '\0')};
 }
 
-/** \brief Returns the number of bytes of a field of extra bytes.
- * \return 0 for a type that does not exist */
+/** \brief Returns the number of bytes of a field of extra bytes; 0 for a type that does
+ * not exist. */
 std::uint64_t
 extraBytesLength (const LasField& field)
 {
@@ -47,19 +50,21 @@ extraBytesLength (const LasField& field)
       1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   if (field.type == las_undocumented)
     return field.options;
+  constexpr std::size_t max_count = 3;
   const std::size_t count = 1 + (field.type - 1U) / number_lengths.size();
   const std::size_t number_type = (field.type - 1U) % number_lengths.size();
-  return count > 3 ? 0 : count * number_lengths.at (number_type);
+  return count > max_count ? 0 : count * number_lengths.at (number_type);
 }
 
 /** \brief Returns the number of bytes of the header in its version, 1.0 to 1.4. */
 std::size_t
 headerLength (const LasHeader& header)
 {
+  constexpr std::size_t las_1_3_header_size = 235;
   constexpr std::array<std::size_t, 5> lengths = {las_1_2_header_size,
                                                   las_1_2_header_size,
                                                   las_1_2_header_size,
-                                                  235,
+                                                  las_1_3_header_size,
                                                   sizeof (header)};
   return lengths.at (header.minor_version);
 }
@@ -114,10 +119,10 @@ checkHeader (const LasHeader& header, const FileReader& reader)
                to_string (header.legacy_point_count) + " (legacy) differ");
 }
 
-/** \brief Returns the length [bytes] of the mark at \ref LasHeader::points_offset, 0 if
- * there is none. In LAS 1.0 two bytes mark the beginning of the points. By the
- * specification the offset is that of the points behind the mark, but some writers
- * store that of the mark. */
+/** \brief In LAS 1.0 two bytes mark the beginning of the points. By the specification
+ * LasHeader::points_offset is the offset of the points behind this mark, but some
+ * writers store the offset of the mark.
+ * \return the length of the mark [bytes] if it is at LasHeader::points_offset, else 0 */
 std::uint32_t
 lengthOfMark (const LasHeader& header, FileReader& reader)
 {
@@ -129,8 +134,8 @@ lengthOfMark (const LasHeader& header, FileReader& reader)
              : 0;
 }
 
-/** \brief Reads the headers of \p count variable length records, which follow one
- * another from the offset \p begin on.
+/** \brief Reads where \p count variable length records are, which follow one another
+ * from the offset \p begin on, and their ids.
  * \tparam Length as of LasVlrHeader
  * \throws WorkError if they reach beyond the offset \p end */
 template <typename Length>
@@ -165,27 +170,28 @@ readVlrs (FileReader& reader,
 bool
 describesExtraBytes (const LasVlr& vlr)
 {
-  return vlr.user_id == extra_bytes_user && vlr.record_id == extra_bytes_id;
+  return vlr.user_id == extra_bytes_user_id && vlr.record_id == extra_bytes_record_id;
 }
 
 /** \brief Returns the fields that an Extra Bytes VLR describes.
- * \param[in,out] record_end offset in a record [bytes] at which the fields begin; later
- * at which they end */
+ * \param[in,out] fields_end offset in a record [bytes]: before the call that of the first
+ * field, after it that of the end of the last field */
 std::vector<LasField>
-describedFields (const LasVlr& vlr, FileReader& reader, std::uint64_t& record_end)
+describedFields (const LasVlr& vlr, FileReader& reader, std::uint64_t& fields_end)
 {
   if (vlr.contentSize() % sizeof (Description) != 0)
     reader.fail ("its Extra Bytes VLR ends within a description");
   std::vector<LasField> fields;
-  for (std::uint64_t at = vlr.content; at < vlr.end; at += sizeof (Description)) {
-    const auto description = reader.readAt<Description> (at);
+  for (std::uint64_t offset = vlr.content; offset < vlr.end;
+       offset += sizeof (Description)) {
+    const auto description = reader.readAt<Description> (offset);
     LasField& field = fields.emplace_back();
     field.name = textIn (description.name);
     field.type = description.type;
     field.options = description.options;
-    field.offset = record_end;
-    record_end += extraBytesLength (field);
-    if (record_end == field.offset)
+    field.offset = fields_end;
+    fields_end += extraBytesLength (field);
+    if (fields_end == field.offset)
       reader.fail ("its Extra Bytes VLR has an unknown type, " +
                    std::to_string (field.type));
   }
@@ -227,12 +233,12 @@ descriptionOf (const LasField& field)
 std::string
 extraBytesVlr (const std::string& descriptions, std::uint8_t minor_version)
 {
-  constexpr std::uint16_t signature_of_1_0 = 0xaabb; // later versions reserve its bytes
+  constexpr std::uint16_t signature_of_1_0 = 0xaabb; // 0 in later versions
   LasStandardVlrHeader header{};
   if (minor_version == 0)
     header.reserved = signature_of_1_0;
-  std::strcpy (header.user_id.data(), extra_bytes_user);
-  header.record_id = extra_bytes_id;
+  std::strcpy (header.user_id.data(), extra_bytes_user_id);
+  header.record_id = extra_bytes_record_id;
   header.content_length = static_cast<std::uint16_t> (descriptions.size());
   std::strcpy (header.description.data(), "Extra Bytes");
   return bytesOf (header) + descriptions;
@@ -242,15 +248,15 @@ LasFile::LasFile (const std::string& name, const std::string& name_in_messages)
 : file (name_in_messages.empty() ? name : name_in_messages)
 , reader (name, "LAS", name_in_messages)
 , header (readLasHeader (reader))
-, scale (toEigen (header.scale))
-, offset (toEigen (header.offset))
+, coordinate_scale (toEigen (header.scale))
+, coordinate_offset (toEigen (header.offset))
 , vlrs_end (header.header_size)
 , fields_end (minRecordLength (header.pointFormat()))
 {
   constexpr std::uint16_t laszip_id = 22204;
   constexpr std::uint16_t wkt_id = 2112;
   constexpr std::uint16_t geo_keys_id = 34735;
-  constexpr const char* projection_user = "LASF_Projection";
+  constexpr const char* projection_user_id = "LASF_Projection";
   const auto set_once =
       [&] (std::optional<LasVlr>& member, const LasVlr& vlr, const char* kind) {
         if (member)
@@ -264,9 +270,9 @@ LasFile::LasFile (const std::string& name, const std::string& name_in_messages)
       set_once (laszip, vlr, "LASzip");
     if (describesExtraBytes (vlr))
       set_once (extra_bytes, vlr, "Extra Bytes");
-    if (vlr.user_id == projection_user && vlr.record_id == wkt_id)
+    if (vlr.user_id == projection_user_id && vlr.record_id == wkt_id)
       wkt = vlr;
-    if (vlr.user_id == projection_user && vlr.record_id == geo_keys_id)
+    if (vlr.user_id == projection_user_id && vlr.record_id == geo_keys_id)
       geo_keys = vlr;
   }
   if (extra_bytes)
@@ -308,32 +314,35 @@ LasFile::checkPoints()
       reader, header.evlr_offset, reader.fileSize(), header.evlr_count);
   for (const LasVlr& vlr : vlrs)
     if (describesExtraBytes (vlr)) {
-      if (extra_bytes || describes_behind_points)
+      if (extra_bytes || has_extra_bytes_evlr)
         reader.fail ("it has two Extra Bytes VLRs");
-      describes_behind_points = true;
+      has_extra_bytes_evlr = true;
       readFields (vlr);
     }
 }
 
 void
-LasFile::replaceHeader (LasHeader copy,
+LasFile::replaceHeader (LasHeader copy_header,
                         std::uint64_t points_end,
                         std::uint64_t copy_points_end,
                         std::string& front) const
 {
-  copy.points_offset = static_cast<std::uint32_t> (front.size());
-  for (LasHeader::UInt64* follower : {&copy.waveform_offset, &copy.evlr_offset})
+  copy_header.points_offset = static_cast<std::uint32_t> (front.size());
+  for (LasHeader::UInt64* offset :
+       {&copy_header.waveform_offset, &copy_header.evlr_offset}) {
+    const bool is_behind_points = *offset >= points_end && *offset <= reader.fileSize();
     // If the copy is shorter, the unsigned difference wraps, and the sum wraps back.
-    if (*follower >= points_end && *follower <= reader.fileSize())
-      *follower += copy_points_end - points_end;
-  const std::size_t length = headerLength (copy);
-  front.replace (0, length, reinterpret_cast<const char*> (&copy), length);
+    if (is_behind_points)
+      *offset += copy_points_end - points_end;
+  }
+  const std::size_t length = headerLength (copy_header);
+  front.replace (0, length, reinterpret_cast<const char*> (&copy_header), length);
 }
 
 void
 LasFile::copyFrom (std::uint64_t begin, std::ostream& stream)
 {
-  constexpr std::uint64_t block_size = 1U << 20U;
+  constexpr std::uint64_t block_size = 1U << 20U; // [bytes]
   const std::uint64_t end = reader.fileSize();
   for (; begin < end; begin += block_size)
     stream << bytes (begin, std::min (end, begin + block_size));

@@ -13,7 +13,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Returns the bytes of an object without padding, as a file has them. */
+/** \brief Returns the bytes of an object that is in the byte layout of a file. */
 template <typename Object>
 std::string
 bytesOf (const Object& object)
@@ -40,17 +40,18 @@ struct LasHeader {
   UInt32 points_offset;
   /** \brief Number of variable length records (VLRs), which follow the header. */
   UInt32 vlr_count;
-  /** \brief Point data record format, 0 to 10, and two high bits that mark LAZ. */
+  /** \brief Point data record format, 0 to 10, in the lower six bits; the upper two
+   * mark LAZ. */
   std::uint8_t format_bits;
-  /** \brief Bytes of a point record. */
+  /** \brief Number of bytes of a point record. */
   UInt16 record_length;
-  /** \brief The number of points; in LAS 1.4 only if readers of LAS 1.3 can read the
-   * file, else 0. */
+  /** \brief The number of points; 0 in a LAS 1.4 that readers of LAS 1.3 cannot read,
+   * which has only \ref point_count. */
   UInt32 legacy_point_count;
   std::array<UInt32, 5> legacy_point_counts_by_return;
-  /** \brief Coordinates are raw * scale + offset, for each axis. */
+  /** \brief For x, y and z: a coordinate is raw * scale + offset. */
   Vector scale, offset;
-  /** \brief Largest x, smallest x, largest y, smallest y, largest z, smallest z. */
+  /** \brief Largest and smallest x, largest and smallest y, largest and smallest z. */
   std::array<boost::endian::little_float64_t, 6> bounds;
   /** \brief Offset of the record with waveforms; 0 for none. */
   UInt64 waveform_offset;
@@ -67,15 +68,15 @@ struct LasHeader {
     return format_bits & 0x3fU;
   }
 
-  /** \brief Returns the number of points. \ref readLasHeader has checked that of both
-   * members one is 0, or both are equal. */
+  /** \brief Returns the number of points. \ref readLasHeader has checked that \ref
+   * point_count and \ref legacy_point_count are equal, or one of them is 0. */
   std::uint64_t
   pointCount () const
   {
     return std::max<std::uint64_t> (point_count, legacy_point_count);
   }
 
-  /** \brief The offset behind the points, if they are not compressed. */
+  /** \brief Returns the offset of the end of the points, if they are not compressed. */
   std::uint64_t
   pointsEnd () const
   {
@@ -84,7 +85,7 @@ struct LasHeader {
 };
 static_assert (sizeof (LasHeader) == 375, "as in LAS 1.4");
 
-/** \brief Bytes of the headers of versions 1.0 to 1.2. */
+/** \brief Number of bytes of the header in versions 1.0 to 1.2. */
 constexpr std::uint16_t las_1_2_header_size = 227;
 
 /** \brief Reads and checks the header. Members that an older version does not have are
@@ -107,11 +108,11 @@ struct LasVlrHeader {
 };
 using LasStandardVlrHeader = LasVlrHeader<LasHeader::UInt16>;
 
-/** \brief Where a variable length record is in the file, and its ids, which tell what
- * it is. */
+/** \brief Where a variable length record is in the file, and the two ids that tell what
+ * it has. */
 struct LasVlr {
-  /** \brief Offsets in the file [bytes]: of the record, of its content, and of the end
-   * of both. */
+  /** \brief Offsets in the file [bytes]: of the record, of its content, which follows
+   * its header, and of the end of the record. */
   std::uint64_t begin, content, end;
   std::string user_id;
   std::uint16_t record_id;
@@ -123,17 +124,18 @@ struct LasVlr {
   }
 };
 
-/** \brief Numbers of types in Extra Bytes VLRs (LAS 1.4, table 24). */
+/** \brief Numbers of the types of fields in Extra Bytes VLRs (LAS 1.4, table 24). */
 constexpr std::uint8_t las_undocumented = 0, las_uint32 = 5, las_float = 9;
 
 /** \brief A field among the extra bytes of a point record. */
 struct LasField {
   std::string name;
   std::uint8_t type = las_undocumented;
-  /** \brief The type in messages. */
+  /** \brief Name of the type in messages. */
   const char* type_name = "";
   std::string description = {};
-  /** \brief Of undocumented bytes their number, of other types option bits. */
+  /** \brief For \ref las_undocumented the number of bytes; for other types option bits.
+   */
   std::uint8_t options = 0;
   /** \brief Offset of the field in a record [bytes]. */
   std::uint64_t offset = 0;

@@ -14,17 +14,18 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief How a unit begins in a WKT text in upper case; its name follows. */
+/** \brief What is in front of the name of a unit in a WKT text in upper case. */
 constexpr const char* unit_key = "UNIT[\"";
 
-/** \brief Returns the unit of a number of the EPSG dataset, as GeoTIFF keys have it. */
+/** \brief Returns a unit of length.
+ * \param[in] epsg number of the unit in the EPSG dataset, the value of a GeoTIFF key */
 LasUnit
-unitCalled (std::uint16_t number)
+lengthUnit (std::uint16_t epsg)
 {
   constexpr std::uint16_t meter = 9001, international_foot = 9002, us_foot = 9003;
-  if (number == meter)
+  if (epsg == meter)
     return LasUnit::Meter;
-  const bool is_foot = number == international_foot || number == us_foot;
+  const bool is_foot = epsg == international_foot || epsg == us_foot;
   return is_foot ? LasUnit::Foot : LasUnit::Unknown;
 }
 
@@ -32,19 +33,19 @@ unitCalled (std::uint16_t number)
 LasUnit
 unitInKeys (const std::string& directory)
 {
-  constexpr std::uint16_t model_type_id = 1024, geographic = 2;
+  constexpr std::uint16_t model_type_id = 1024, geographic = 2; // id and value
   constexpr std::uint16_t projected_id = 3072, linear_unit_id = 3076;
   std::optional<LasUnit> unit;
-  bool is_in_feet = false; // by the number of the system
+  bool is_system_in_feet = false;
   for (const GeoKey& key : geoKeysIn (directory)) {
     if (key.id == model_type_id && key.value == geographic)
       return LasUnit::Degree;
     if (key.id == linear_unit_id)
-      unit = unitCalled (key.value);
+      unit = lengthUnit (key.value);
     if (key.id == projected_id && key.location == 0)
-      is_in_feet = isInFeet (key.value);
+      is_system_in_feet = isInFeet (key.value);
   }
-  return unit.value_or (is_in_feet ? LasUnit::Foot : LasUnit::Unknown);
+  return unit.value_or (is_system_in_feet ? LasUnit::Foot : LasUnit::Unknown);
 }
 
 /** \brief Returns the unit of z by a directory of GeoTIFF keys. */
@@ -55,57 +56,60 @@ heightUnitInKeys (const std::string& directory)
   LasUnit unit = LasUnit::Unknown;
   for (const GeoKey& key : geoKeysIn (directory))
     if (key.id == vertical_unit_id)
-      unit = unitCalled (key.value);
+      unit = lengthUnit (key.value);
   return unit;
 }
 
-/** \brief Returns the offset of the first keyword of WKT that is one of \p keywords,
- * has a bracket behind it, and is in no quoted name; the size of the text if there is
- * none.
+/** \brief Returns the offset in a WKT text of the first of its keywords that is one of
+ * \p keywords; the size of the text if there is none. A keyword is outside of quotes,
+ * and a bracket follows.
  * \param[in] text in upper case */
 std::size_t
 findKeyword (const std::string& text, const std::vector<std::string>& keywords)
 {
   bool is_quoted = false;
-  const auto begins_at = [&text] (const std::string& keyword, std::size_t i) {
-    if (text.compare (i, keyword.size(), keyword) != 0)
+  const auto is_at = [&text] (std::size_t offset, const std::string& keyword) {
+    if (text.compare (offset, keyword.size(), keyword) != 0)
       return false;
-    const std::size_t next = text.find_first_not_of (" \t\r\n", i + keyword.size());
+    const std::size_t next =
+        text.find_first_not_of (" \t\r\n", offset + keyword.size());
     return next != std::string::npos && text[next] == '[';
   };
   for (std::size_t i = 0; i < text.size(); ++i) {
     is_quoted = is_quoted != (text[i] == '"');
     if (!is_quoted &&
         std::any_of (keywords.begin(), keywords.end(), [&] (const auto& keyword) {
-          return begins_at (keyword, i);
+          return is_at (i, keyword);
         }))
       return i;
   }
   return text.size();
 }
 
-/** \brief Returns the unit whose name follows at an offset of a WKT text.
+/** \brief Returns the unit whose name is behind \ref unit_key in a WKT text.
  * \param[in] text in upper case
- * \param[in] key_begin offset of \ref unit_key, or npos: no unit */
+ * \param[in] key_begin offset of this key in the text; npos if there is none: then the
+ * unit is Unknown */
 LasUnit
 unitAt (const std::string& text, std::size_t key_begin)
 {
   if (key_begin == std::string::npos)
     return LasUnit::Unknown;
   const std::size_t begin = key_begin + std::strlen (unit_key);
-  const std::string unit = text.substr (begin, text.find ('"', begin) - begin);
-  const auto has = [&] (const char* part_of_name) {
-    return unit.find (part_of_name) != std::string::npos;
+  const std::string name = text.substr (begin, text.find ('"', begin) - begin);
+  const auto name_has = [&] (const char* part) {
+    return name.find (part) != std::string::npos;
   };
-  if (has ("DEGREE"))
+  if (name_has ("DEGREE"))
     return LasUnit::Degree;
-  if (has ("FOOT") || has ("FEET") || has ("FTUS"))
+  if (name_has ("FOOT") || name_has ("FEET") || name_has ("FTUS"))
     return LasUnit::Foot;
-  return has ("MET") ? LasUnit::Meter : LasUnit::Unknown;
+  return name_has ("MET") ? LasUnit::Meter : LasUnit::Unknown; // meter or metre
 }
 
-/** \brief Returns the first unit that is told: by the WKT of a file, else by its
- * GeoTIFF keys. */
+/** \brief Returns the unit that the WKT of a file tells, else the one that its GeoTIFF
+ * keys tell.
+ * \param[in] in_wkt, in_keys return the unit in the text or the directory of keys */
 LasUnit
 firstUnitIn (LasFile& las,
              LasUnit (*in_wkt) (const std::string& text),
@@ -124,7 +128,7 @@ firstUnitIn (LasFile& las,
 std::vector<GeoKey>
 geoKeysIn (const std::string& directory)
 {
-  // In front of the entries is a header of the same size.
+  // In front of the entries is a header of the size of an entry.
   constexpr std::size_t size = sizeof (GeoKey);
   std::vector<GeoKey> keys;
   for (std::size_t begin = size; begin + size <= directory.size(); begin += size)
@@ -133,7 +137,7 @@ geoKeysIn (const std::string& directory)
 }
 
 std::size_t
-beginOfHeights (const std::string& text)
+verticalSystemBegin (const std::string& text)
 {
   return findKeyword (boost::algorithm::to_upper_copy (text),
                       {"VERT_CS", "VERTCRS", "VERTICALCRS"});
@@ -143,7 +147,7 @@ LasUnit
 unitInWkt (const std::string& text)
 {
   std::string system =
-      boost::algorithm::to_upper_copy (text.substr (0, beginOfHeights (text)));
+      boost::algorithm::to_upper_copy (text.substr (0, verticalSystemBegin (text)));
   // The heights at which a system may be used (VERTICALEXTENT) have their own unit.
   system.resize (findKeyword (system, {"VERTICALEXTENT"}));
   // In a projected system the last unit is that of x and y; the angle unit of its base
@@ -155,7 +159,7 @@ LasUnit
 heightUnitInWkt (const std::string& text)
 {
   const std::string upper = boost::algorithm::to_upper_copy (text);
-  return unitAt (upper, upper.find (unit_key, beginOfHeights (text)));
+  return unitAt (upper, upper.find (unit_key, verticalSystemBegin (text)));
 }
 
 LasUnit

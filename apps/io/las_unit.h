@@ -12,23 +12,26 @@ namespace pcl_ops::apps {
 /** \brief An entry of the directory of GeoTIFF keys (OGC 19-008), in its byte layout.
  */
 struct GeoKey {
+  /** \brief Which property of the reference system the key tells. */
   LasHeader::UInt16 id;
-  /** \brief 0 if the value is in \ref value; else the tag that has it. */
+  /** \brief 0 if \ref value is the value of the key; else the number of the TIFF tag
+   * that has the value. */
   LasHeader::UInt16 location;
   LasHeader::UInt16 count, value;
 };
 
 /** \brief Returns the entries of a directory of GeoTIFF keys.
- * \param[in] directory content of LasFile::geo_keys */
+ * \param[in] directory content of the record LasFile::geo_keys */
 std::vector<GeoKey>
 geoKeysIn (const std::string& directory);
 
+/** \brief The unit of coordinates by the reference system of a file. */
 enum class LasUnit { Unknown, Meter, Foot, Degree };
 
-/** \brief Returns the offset of the vertical system in a WKT text (OGC 01-009, 18-010);
- * that of the end if there is none. */
+/** \brief Returns the offset in a WKT text (OGC 01-009, 18-010) of the part on the
+ * vertical reference system; the size of the text if there is none. */
 std::size_t
-beginOfHeights (const std::string& text);
+verticalSystemBegin (const std::string& text);
 
 /** \brief Returns the unit of x and y in a WKT text. */
 LasUnit
@@ -39,8 +42,8 @@ LasUnit
 heightUnitInWkt (const std::string& text);
 
 /** \brief Returns the unit of x and y of a file, by its WKT, else by its GeoTIFF keys
- * (OGC 19-008). Keys that have only the EPSG number of a system tell no other unit than
- * feet. */
+ * (OGC 19-008). Where the keys have only the EPSG number of a system, the unit is Foot
+ * (\ref isInFeet) or Unknown. */
 LasUnit
 unitOf (LasFile& las);
 

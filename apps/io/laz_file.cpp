@@ -19,9 +19,9 @@ namespace {
 
 /** \brief The bit of LasHeader::format_bits that LASzip sets for compressed points. */
 constexpr std::uint8_t compressed_bit = 0x80;
-/** \brief The value of the first byte of the content of a LASzip VLR if the points are
- * not divided into chunks. */
-constexpr char in_one_chunk = 1;
+/** \brief The compressor that does not divide the points into chunks. The number of the
+ * compressor is the first byte of the content of a LASzip VLR. */
+constexpr char without_chunks = 1;
 
 [[noreturn]] void
 failDamagedPoints (const std::string& file)
@@ -51,12 +51,12 @@ struct Laszip {
     laszip_destroy (handle);
   }
 
-  /** \param[in] failed what a function of LASzip returned; 0 is success
-   * \throws std::bad_alloc if memory ran out, else WorkError */
+  /** \param[in] error what a function of LASzip returned; 0 is success
+   * \throws std::bad_alloc if memory ran out, WorkError for other errors */
   void
-  check (laszip_I32 failed) const
+  check (laszip_I32 error) const
   {
-    if (failed == 0)
+    if (error == 0)
       return;
     throwIfOutOfMemory();
     failDamagedPoints (file);
@@ -78,11 +78,13 @@ struct Laszip {
                          "one");
   }
 
+  /** \brief Name for messages. */
   std::string file;
   laszip_POINTER handle = nullptr;
 
 private:
-  /** \brief To be called when a function of LASzip has failed. */
+  /** \brief Throws std::bad_alloc if the last function of LASzip failed for lack of
+   * memory. Call it when a function has failed. */
   void
   throwIfOutOfMemory () const
   {
@@ -94,8 +96,8 @@ private:
   }
 };
 
-/** \brief Returns the bytes of the LASzip VLR that LASzip writes for the point format
- * of a file.
+/** \brief Returns the VLR that LASzip writes for the point format of a file, header and
+ * content.
  * \throws WorkError if LASzip does not know this format */
 std::string
 newLaszipVlr (const LasFile& las)
@@ -110,7 +112,8 @@ newLaszipVlr (const LasFile& las)
 
 enum class Conversion { Compress, Decompress };
 
-/** \brief Writes the points of a file, compressed or not.
+/** \brief Writes the points of a file to a stream: compressed points decompressed, or
+ * the reverse.
  * \throws WorkError if the points are damaged, Interrupted; std::bad_alloc if LASzip
  * fails to write while the stream is good */
 void
@@ -124,9 +127,9 @@ convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
   laszip_BOOL is_compressed = 0;
   reader.check (laszip_open_reader (reader.handle, file.c_str(), &is_compressed));
   writer.setPointFormat (las.header);
-  const laszip_BOOL compresses = conversion == Conversion::Compress ? 1 : 0;
+  const laszip_BOOL compress = conversion == Conversion::Compress ? 1 : 0;
   writer.check (
-      laszip_open_writer_stream (writer.handle, stream, compresses, write_no_header));
+      laszip_open_writer_stream (writer.handle, stream, compress, write_no_header));
   laszip_point* point = nullptr;
   reader.check (laszip_get_point_pointer (reader.handle, &point));
   bool is_written = !stream.fail();
@@ -150,14 +153,15 @@ convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
 std::string
 checkedLaszipContent (LasFile& las, const LasVlr& laszip)
 {
-  // Offsets and lengths in the content [bytes]. First is the compressor, from 4 to 32
-  // are versions, options and the size of chunks, from 34 on the items of a point:
-  // type, size and version.
+  // Offsets and lengths in the content [bytes]. At 0 is the compressor, from 4 up to 32
+  // are versions, options and the size of chunks, from 34 on the items of a point, each
+  // with type, size and version.
   constexpr std::size_t compressor_length = 1;
   constexpr std::size_t options_begin = 4, options_end = 32;
   constexpr std::size_t items_begin = 34, item_length = 6;
   constexpr std::size_t version_in_item = 4, version_length = 2;
-  constexpr unsigned newest_format_in_one_chunk = 5;
+  constexpr unsigned last_format_without_chunks =
+      5; // points of newer ones are in chunks
   std::string expected = newLaszipVlr (las).substr (laszip.content - laszip.begin);
   if (laszip.contentSize() != expected.size())
     failDamagedPoints (las.file);
@@ -168,17 +172,18 @@ checkedLaszipContent (LasFile& las, const LasVlr& laszip)
   accept_any (options_begin, options_end - options_begin);
   for (std::size_t item = items_begin; item < expected.size(); item += item_length)
     accept_any (item + version_in_item, version_length);
-  if (content[0] == in_one_chunk &&
-      las.header.pointFormat() <= newest_format_in_one_chunk)
+  if (content[0] == without_chunks &&
+      las.header.pointFormat() <= last_format_without_chunks)
     accept_any (0, compressor_length);
   if (content != expected)
     failDamagedPoints (las.file);
   return content;
 }
 
-/** \brief Refuses points at which LASzip would crash: their description is wrong, or
- * the chunk table has an impossible position or length. On chunks see M. Isenburg,
- * LASzip, Photogrammetric Engineering and Remote Sensing 79 (2), 2013. */
+/** \brief Refuses a file at which LASzip would crash: the description of its points is
+ * wrong, or its chunk table has an impossible offset or length. On chunks see M.
+ * Isenburg, LASzip, Photogrammetric Engineering and Remote Sensing 79 (2), 2013.
+ * \throws WorkError for such a file */
 void
 checkCompression (LasFile& las)
 {
@@ -186,13 +191,15 @@ checkCompression (LasFile& las)
     LasHeader::UInt32 version, chunk_count;
   };
   constexpr std::uint64_t chunk_size_in_content = 12; // offset [bytes]
+  // The value of the chunk size if chunks have different numbers of points, and that of
+  // the offset of the table if this offset is at the end of the file.
   constexpr std::uint32_t sizes_differ = std::numeric_limits<std::uint32_t>::max();
   constexpr std::uint64_t table_offset_at_end =
       std::numeric_limits<std::uint64_t>::max();
-  if (checkedLaszipContent (las, *las.laszip)[0] == in_one_chunk)
+  if (checkedLaszipContent (las, *las.laszip)[0] == without_chunks)
     return;
   FileReader& reader = las.reader;
-  const std::uint32_t chunk_size = // number of points
+  const std::uint32_t chunk_size = // [points]
       reader.readAt<LasHeader::UInt32> (las.laszip->content + chunk_size_in_content);
   const auto check = [&] (bool is_good) {
     if (!is_good)
@@ -200,17 +207,19 @@ checkCompression (LasFile& las)
   };
   const LasHeader& header = las.header;
   // The offset of the chunk table is in front of the chunks, or at the end of the file.
-  const std::uint64_t begin = header.points_offset + sizeof (LasHeader::UInt64);
-  const std::uint64_t end = reader.fileSize();
-  check (begin + sizeof (TableHeader) <= end && chunk_size > 0);
+  const std::uint64_t chunks_begin = header.points_offset + sizeof (LasHeader::UInt64);
+  const std::uint64_t file_end = reader.fileSize();
+  check (chunks_begin + sizeof (TableHeader) <= file_end && chunk_size > 0);
   std::uint64_t table_offset = reader.readAt<LasHeader::UInt64> (header.points_offset);
   if (table_offset == table_offset_at_end)
-    table_offset = reader.readAt<LasHeader::UInt64> (end - sizeof (LasHeader::UInt64));
-  check (begin <= table_offset && table_offset <= end - sizeof (TableHeader));
+    table_offset =
+        reader.readAt<LasHeader::UInt64> (file_end - sizeof (LasHeader::UInt64));
+  check (chunks_begin <= table_offset &&
+         table_offset <= file_end - sizeof (TableHeader));
   const auto table = reader.readAt<TableHeader> (table_offset);
   // The first point of each chunk is not compressed, so a chunk has a record or more.
   check (table.version == 0 && table.chunk_count > 0 &&
-         table.chunk_count <= (end - begin) / header.record_length);
+         table.chunk_count <= (file_end - chunks_begin) / header.record_length);
   check (chunk_size == sizes_differ ||
          table.chunk_count == (las.size() + chunk_size - 1) / chunk_size);
 }
@@ -231,34 +240,35 @@ decompressLaz (const std::string& file, std::ostream& stream)
     --plain_header.vlr_count;
     front.erase (las.laszip->begin, las.laszip->end - las.laszip->begin);
   }
-  // No field of the header tells where compressed points end.
-  std::uint64_t end = las.reader.fileSize();
+  // No field of the header tells where compressed points end: at what follows them.
+  std::uint64_t points_end = las.reader.fileSize();
   for (const std::uint64_t next : {header.waveform_offset, header.evlr_offset})
     if (next > header.points_offset)
-      end = std::min (end, next);
-  const std::uint64_t plain_size = las.size() * header.record_length;
-  las.replaceHeader (plain_header, end, front.size() + plain_size, front);
+      points_end = std::min (points_end, next);
+  const std::uint64_t plain_size = las.size() * header.record_length; // [bytes]
+  las.replaceHeader (plain_header, points_end, front.size() + plain_size, front);
   stream << front;
   convertPoints (las, Conversion::Decompress, stream);
-  las.copyFrom (end, stream);
+  las.copyFrom (points_end, stream);
 }
 
 void
 compressLas (const std::string& file, std::ostream& stream)
 {
   LasFile las (file);
-  LasHeader packed_header = las.header;
-  packed_header.format_bits = packed_header.pointFormat() | compressed_bit;
-  ++packed_header.vlr_count;
+  LasHeader compressed_header = las.header;
+  compressed_header.format_bits = compressed_header.pointFormat() | compressed_bit;
+  ++compressed_header.vlr_count;
   std::string front = las.bytes (0, las.header.points_offset);
   front.insert (las.vlrs_end, newLaszipVlr (las));
   stream << front;
   convertPoints (las, Conversion::Compress, stream);
-  // The end of the compressed points is known only now.
-  const auto end = static_cast<std::uint64_t> (std::streamoff (stream.tellp()));
+  // The end of the compressed points is known only now: so the header is written again.
+  const auto compressed_end =
+      static_cast<std::uint64_t> (std::streamoff (stream.tellp()));
   const std::uint64_t plain_end = las.header.pointsEnd();
   las.copyFrom (plain_end, stream);
-  las.replaceHeader (packed_header, plain_end, end, front);
+  las.replaceHeader (compressed_header, plain_end, compressed_end, front);
   stream.seekp (0);
   stream << front;
   stream.seekp (0, std::ios::end);

@@ -11,31 +11,32 @@ namespace pcl_ops::apps {
 namespace {
 
 struct OffHeader {
+  /** \brief Whether vertices have normals and colors. */
   bool has_normals = false, has_colors = false;
   std::uint64_t vertex_count = 0;
 };
 
-/** \brief Reads the word OFF, with letters in front of it that tell what vertices have
- * besides coordinates. The numbers of vertices, faces and edges follow it or are in the
- * next line. */
+/** \brief Reads the header: the word OFF, with letters in front of it that tell what
+ * vertices have besides coordinates, and the numbers of vertices, faces and edges, in
+ * the same line or in the next one. */
 OffHeader
 readOffHeader (FileReader& reader)
 {
   reader.skipByteOrderMark();
   if (!reader.nextWords())
     reader.failEmpty();
-  const std::string first (reader.word (0));
+  const std::string first_word (reader.word (0));
   const std::string key = "OFF";
-  const std::size_t key_begin = first.find (key);
-  const std::string letters = first.substr (0, key_begin);
+  const std::size_t key_begin = first_word.find (key);
+  const std::string letters = first_word.substr (0, key_begin);
   if (key_begin == std::string::npos ||
       letters.find_first_not_of ("CN") != std::string::npos)
     reader.fail ("its first line is not OFF, COFF, NOFF or CNOFF");
   OffHeader header;
   header.has_normals = letters.find ('N') != std::string::npos;
   header.has_colors = letters.find ('C') != std::string::npos;
-  std::string counts =
-      first.substr (key_begin + key.size()); // ModelNet has no blank there
+  // ModelNet has no blank between OFF and the number of vertices.
+  std::string counts = first_word.substr (key_begin + key.size());
   for (std::size_t i = 1; i < reader.wordCount(); ++i)
     counts += " " + std::string (reader.word (i));
   reader.setLine (counts, ' ');
@@ -48,11 +49,11 @@ readOffHeader (FileReader& reader)
   return header;
 }
 
-/** \brief Returns names for the columns behind the coordinates of a vertex: three of
- * the normal, then as many of the color as there are numbers left.
- * \param[in] numbers how many there are for a vertex, with its coordinates */
+/** \brief Returns names for the columns behind the coordinates of a vertex: three for
+ * the normal, and for the color up to four, as many as the other numbers need.
+ * \param[in] column_count number of numbers of a vertex, with its coordinates */
 Words
-furtherNames (const OffHeader& header, std::size_t numbers)
+furtherNames (const OffHeader& header, std::size_t column_count)
 {
   constexpr std::size_t coordinates = 3;
   Words names;
@@ -60,7 +61,7 @@ furtherNames (const OffHeader& header, std::size_t numbers)
     names = {"normal_x", "normal_y", "normal_z"};
   if (header.has_colors)
     for (const char* color : {"r", "g", "b", "a"})
-      if (coordinates + names.size() < numbers)
+      if (coordinates + names.size() < column_count)
         names.emplace_back (color);
   return names;
 }
@@ -96,7 +97,8 @@ readObj (const std::string& file)
     if (!rows.hasColumns()) {
       const Words color = {"r", "g", "b"};
       const Words weight = {"w"};
-      const bool has_weight = reader.wordCount() == 4; // x, y, z, w
+      constexpr std::size_t words_with_weight = 4; // x, y, z, w
+      const bool has_weight = reader.wordCount() == words_with_weight;
       rows.addColumnsOfLine (has_weight ? weight : color);
     }
     rows.addPoint();

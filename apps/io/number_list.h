@@ -7,8 +7,8 @@
 
 namespace pcl_ops::apps {
 
-// These readers return a number for each point of a cloud, from a file without points.
-// They throw a WorkError that says what is wrong in the file.
+// These functions read a file that has no points but a number for each point of a
+// cloud. They throw a WorkError that says what is wrong in the file.
 
 /** \brief Reads a NumPy array of shape (N,), (N, 1) or (1, N). */
 std::vector<double>

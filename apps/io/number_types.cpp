@@ -15,6 +15,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief A NumberType::read. */
 template <typename Number>
 double
 read (const std::uint8_t* bytes)
@@ -24,7 +25,9 @@ read (const std::uint8_t* bytes)
   return static_cast<double> (number);
 }
 
-/** \return false unless all of the text is a number */
+/** \brief Reads a number in single or double precision.
+ * \return false unless all of the text is a number that is not too large for double
+ * precision */
 template <typename Float>
 bool
 readFloat (std::string_view text, Float& number)
@@ -33,8 +36,8 @@ readFloat (std::string_view text, Float& number)
   const auto [rest, error] = std::from_chars (text.data(), end, number);
   if (error != std::errc::result_out_of_range)
     return error == std::errc() && rest == end;
-  // from_chars stores no number that is too large or too small; strtof and strtod
-  // return infinity or the nearest number that exists.
+  // from_chars stores nothing if the number is too large or too small; then strtof and
+  // strtod return infinity or the nearest number of the type.
   number = static_cast<Float> (std::is_same_v<Float, float>
                                    ? std::strtof (text.data(), nullptr)
                                    : std::strtod (text.data(), nullptr));
@@ -61,11 +64,12 @@ readInteger (std::string_view text, Integer& number)
   return true;
 }
 
+/** \brief A NumberType::parse. */
 template <typename Number>
 bool
 parse (std::string_view text, void* bytes)
 {
-  // from_chars does not accept a plus sign; +- is no sign.
+  // from_chars does not accept a plus sign. In +-1 it stays, as this is no number.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix (1);
   Number number{};
@@ -89,7 +93,7 @@ typeOf (std::uint8_t id,
   return {id, kind, size, ply_name, ply_name_with_bits, read<Number>, parse<Number>};
 }
 
-/** \brief In the order of their ids, which begin with 1. */
+/** \brief All types in the order of their ids, which begin with 1. */
 constexpr std::array<NumberType, 10> types = {
     {typeOf<std::int8_t> (1, 'I', "char", "int8"),
      typeOf<std::uint8_t> (2, 'U', "uchar", "uint8"),
@@ -111,9 +115,9 @@ numberType (std::uint8_t id)
 }
 
 const NumberType*
-findNumberType (const std::function<bool (const NumberType&)>& is_it)
+findNumberType (const std::function<bool (const NumberType&)>& is_wanted)
 {
-  const auto* const found = std::find_if (types.begin(), types.end(), is_it);
+  const auto* const found = std::find_if (types.begin(), types.end(), is_wanted);
   return found == types.end() ? nullptr : &*found;
 }
 

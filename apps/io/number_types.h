@@ -10,6 +10,7 @@
 
 namespace pcl_ops::apps {
 
+/** \brief Returns the number that is at an address in the bytes of a cloud. */
 using NumberReader = double (*) (const std::uint8_t* bytes);
 
 /** \brief A type of the numbers in a cloud's fields. */
@@ -19,27 +20,30 @@ struct NumberType {
   std::uint8_t id;
   /** \brief The TYPE in a PCD: I, U (unsigned) or F (floating point). */
   char kind;
-  /** \brief Bytes of a number. */
+  /** \brief Number of bytes of a number. */
   std::size_t size;
-  /** \brief The two spellings in PLY; empty for 64-bit integers. */
+  /** \brief The two names in PLY, as "uchar" and "uint8"; empty for 64-bit integers,
+   * which PLY lacks. */
   std::string_view ply_name, ply_name_with_bits;
   NumberReader read;
   /** \brief Parses a number and writes it into \p bytes. Accepts `nan`, `inf` and
-   * `infinity`, but no number too large for double precision; one that is too large
-   * only for a float becomes infinite. An integer type cuts decimals off, as PCL does,
-   * and takes values beyond its range modulo the range. `nan`, and absolute values of
-   * 2^63 or more, give 0, but uint64 takes all whole numbers in its range.
+   * `infinity`, but no number too large for double precision; a number that is too
+   * large only for a float becomes infinite. For an integer type decimals are cut off,
+   * as in PCL, and numbers beyond its range are taken modulo the range. `nan`, and
+   * numbers with an absolute value of 2^63 or more, become 0; but uint64 takes all
+   * whole numbers in its range.
    * \param[in] text followed in memory by a character that cannot continue a number
    * \return false if \p text is anything else */
   bool (*parse) (std::string_view text, void* bytes);
 };
 
-/** \throws std::out_of_range if no type has the id */
+/** \brief Returns the type with an id (NumberType::id).
+ * \throws std::out_of_range if no type has the id */
 const NumberType&
 numberType (std::uint8_t id);
 
-/** \return nullptr if \p is_it holds for no type */
+/** \brief Returns the first type that is wanted; nullptr if there is none. */
 const NumberType*
-findNumberType (const std::function<bool (const NumberType&)>& is_it);
+findNumberType (const std::function<bool (const NumberType&)>& is_wanted);
 
 } // namespace pcl_ops::apps

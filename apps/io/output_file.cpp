@@ -35,7 +35,8 @@ failToWrite (const std::string& file)
                          "); make room or give another name");
 }
 
-/** \brief Creates a file with a short name that no other program uses in the folder.
+/** \brief Creates a file with a short name that does not exist yet in a folder, and
+ * returns its path.
  * \param[in] output the file that error messages name */
 fs::path
 newFileIn (const fs::path& folder, const std::string& output)
@@ -56,7 +57,8 @@ newFileIn (const fs::path& folder, const std::string& output)
   }
 }
 
-/** \brief Throws a WorkError with the reason in errno. */
+/** \brief Throws a WorkError about \p subject with the reason in errno.
+ * \param[in] name of the temporary file */
 [[noreturn]] void
 failToFillTemporary (const std::string& subject, const std::string& name)
 {
@@ -65,7 +67,8 @@ failToFillTemporary (const std::string& subject, const std::string& name)
                        "); set TMPDIR to a folder with more space");
 }
 
-/** \brief Creates a file in the folder for temporary files and returns its name. */
+/** \brief Creates a file in the folder for temporary files and returns its name.
+ * \param[in] extension, subject as of \ref TemporaryFile */
 std::string
 newTemporaryFile (const std::string& extension, const std::string& subject)
 {
@@ -74,14 +77,15 @@ newTemporaryFile (const std::string& extension, const std::string& subject)
   if (error)
     throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
   std::string name = folder / ("pcl_ops_XXXXXX" + extension);
-  const int file = ::mkstemps (name.data(), static_cast<int> (extension.size()));
-  if (file < 0)
+  const int descriptor = ::mkstemps (name.data(), static_cast<int> (extension.size()));
+  if (descriptor < 0)
     failToFillTemporary (subject, name);
-  ::close (file);
+  ::close (descriptor);
   return name;
 }
 
-/** \return whether all bytes were written */
+/** \brief Replaces the content of a file by what \p write writes.
+ * \return whether all bytes were written */
 bool
 fillFile (const fs::path& path, const std::function<void (std::ostream& stream)>& write)
 {
@@ -99,7 +103,7 @@ resolvedName (const std::string& file)
   std::error_code error;
   fs::path path = fs::absolute (file, error);
   // weakly_canonical does not follow a link to a file that does not exist yet.
-  constexpr int max_links = 40; // as Linux follows at most
+  constexpr int max_links = 40; // Linux follows no more
   for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
     path = path.parent_path() / fs::read_symlink (path, error);
   const fs::path canonical = fs::weakly_canonical (path, error);

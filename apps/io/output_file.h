@@ -13,16 +13,16 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Checks before the work whether \ref writeFile can succeed later.
+/** \brief Checks before the work whether \ref writeFile can write a file after it.
  * \throws WorkError that names the obstacle, such as a missing folder, and the fix */
 void
 checkWritable (const std::string& file);
 
 /** \brief Writes a file in one step: \p write fills a temporary file in the same
  * folder, which is renamed to \p file once all bytes are written. If anything fails, an
- * existing \p file does not change. If nothing fails, the new file gets the permissions
- * of the existing one. If \p file is a link, the file that it leads to is written. All
- * outputs are written this way.
+ * existing \p file does not change. Else the new file gets the permissions of the
+ * existing one. If \p file is a link, the file that the link leads to is written. All
+ * outputs are written in this way.
  * \param[in] write need not check the state of the stream
  * \throws WorkError as \ref checkWritable, OutputError if the bytes cannot be written,
  * and whatever \p write throws */
@@ -30,6 +30,7 @@ void
 writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write);
 
+/** \brief Writes a text by \ref writeFile. */
 void
 writeTextFile (const std::string& file, const std::string& text);
 
@@ -43,12 +44,16 @@ makeFolder (const std::string& folder);
 std::string
 extensionOf (const std::string& file);
 
-/** \param[in] extensions in lower case, with their dots */
+/** \brief Whether a file has one of the extensions, in upper or lower case.
+ * \param[in] extensions in lower case, with their dots */
 bool
 hasExtension (const std::string& file, const std::vector<std::string>& extensions);
 
-/** \throws UsageError about \p option if the file has none of the extensions; an empty
- * name is allowed */
+/** \brief Checks that the value of an option is a file with one of the extensions, or
+ * empty.
+ * \param[in] option its name with "--", for the message
+ * \param[in] extensions as of \ref hasExtension
+ * \throws UsageError about the option if \p file has none of the extensions */
 void
 checkExtension (const std::string& option,
                 const std::string& file,
@@ -63,8 +68,8 @@ resolvedName (const std::string& file);
 bool
 isSameFile (const std::string& first, const std::string& second);
 
-/** \brief A file, or a folder with its content, that the destructor removes. If it was
- * renamed, the file of the new name stays. */
+/** \brief Name of a file, or of a folder, that the destructor removes with its content.
+ * What was renamed meanwhile stays. */
 struct TemporaryPath {
   explicit TemporaryPath (std::filesystem::path name) : path (std::move (name)) {}
   TemporaryPath (const TemporaryPath&) = delete;
@@ -104,9 +109,10 @@ private:
   TemporaryPath file_;
 };
 
-/** \brief A lock on a folder for one run of a program. The destructor releases it, and
- * so does the end of the run in any way. Every run gets the lock of a folder that
- * cannot be opened, or is on a file system without locks. */
+/** \brief A lock on a folder, which one run of a program can have at a time. The
+ * destructor releases it, and so does the end of the run in any way. A folder that
+ * cannot be opened, or is on a file system without locks, has no lock: \ref wait and
+ * \ref take succeed at once. */
 class FolderLock {
 public:
   explicit FolderLock (const std::string& folder);
@@ -121,7 +127,7 @@ public:
   wait () const;
 
   /** \brief Takes the lock unless another run has it.
-   * \return whether it was taken */
+   * \return false if another run has it */
   bool
   take () const;
 

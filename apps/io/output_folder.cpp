@@ -31,8 +31,9 @@ outputsIn (const fs::path& folder, const IsOurs& is_ours)
   return names;
 }
 
+/** \brief Creates a folder in a folder and returns its path. */
 fs::path
-temporaryFolderIn (const std::string& folder)
+newFolderIn (const std::string& folder)
 {
   std::string name = (fs::path (folder) / ".pcl_ops.XXXXXX").string();
   if (::mkdtemp (name.data()) == nullptr)
@@ -42,18 +43,18 @@ temporaryFolderIn (const std::string& folder)
 }
 
 /** \brief Moves the outputs of a run from \p written_folder into \p folder, and removes
- * the outputs there that this run has not written again. */
+ * from \p folder the outputs that this run has not written again. */
 void
-exchangeFiles (const fs::path& folder,
-               const fs::path& written_folder,
-               const IsOurs& is_ours)
+replaceOutputs (const fs::path& folder,
+                const fs::path& written_folder,
+                const IsOurs& is_ours)
 {
-  // Other runs that exchange the files of the folder wait for this one.
+  // Other runs that replace outputs of the same folder wait for this one.
   const FolderLock lock (folder);
   lock.wait();
   std::set<std::string> stale = outputsIn (folder, is_ours);
   const std::set<std::string> written = outputsIn (written_folder, is_ours);
-  // All names are checked before the first file is moved.
+  // All names are checked before the first file is moved: rename fails on a folder.
   for (const std::string& name : written)
     if (fs::is_directory (folder / name))
       throw fs::filesystem_error (name,
@@ -75,9 +76,9 @@ fillFolder (const std::string& folder,
 {
   makeFolder (folder);
   try {
-    const TemporaryPath written (temporaryFolderIn (folder));
+    const TemporaryPath written (newFolderIn (folder));
     write (written.path);
-    exchangeFiles (folder, written.path, is_ours);
+    replaceOutputs (folder, written.path, is_ours);
   }
   catch (const fs::filesystem_error& error) {
     throw OutputError (folder,
@@ -85,7 +86,7 @@ fillFolder (const std::string& folder,
                            "); choose another folder");
   }
   catch (const OutputError& error) {
-    throw OutputError (folder, error.problem); // error names a temporary file
+    throw OutputError (folder, error.problem); // the error names a temporary file
   }
 }
 

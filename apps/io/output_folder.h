@@ -8,13 +8,15 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Writes files that belong together into a folder, which is created if missing.
- * They replace the outputs of an earlier run of a program. \p write fills a temporary
- * folder within it first, and nothing else in the folder changes until \p write has
- * returned. If several runs end at once, one after the other replaces the files.
- * \param[in] is_ours whether a name is that of an output: only such files are moved
- * into the folder, and removed from it if \p write did not write them again
- * \param[in] write fills a temporary folder with the files
+/** \brief Writes files that belong together into a folder, which is created if missing,
+ * in place of the outputs of an earlier run of a program. First \p write fills a
+ * temporary folder within this folder. Until \p write has returned, nothing else in the
+ * folder changes. If several runs end at the same time, they replace the files one
+ * after the other.
+ * \param[in] is_ours whether a file name is that of an output. Only files with such names
+ * are moved into the folder, and only such files are removed from it: those that
+ * \p write did not write again.
+ * \param[in] write writes the files into the temporary folder that is its argument
  * \throws WorkError that names the folder, also in place of an OutputError of \p write,
  * and whatever else \p write throws */
 void

@@ -15,7 +15,9 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The words of each line of the header, without the keyword, by the keyword. */
+/** \brief The lines of a header by their keywords, each as its words without the
+ * keyword.
+ */
 using PcdHeader = std::map<std::string, Words>;
 
 PcdHeader
@@ -24,8 +26,7 @@ readHeader (FileReader& reader)
   const std::string last_key = "DATA";
   PcdHeader header;
   while (header.count (last_key) == 0) {
-    Words words =
-        reader.nextHeaderLine (last_key); // for the message if the file ends before
+    Words words = reader.nextHeaderLine (last_key);
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
@@ -37,7 +38,8 @@ readHeader (FileReader& reader)
   return header;
 }
 
-/** \throws WorkError if the header has no such line */
+/** \brief Returns the words of the line with a keyword.
+ * \throws WorkError if the header has no such line */
 const Words&
 lineOf (const FileReader& reader, const PcdHeader& header, const char* key)
 {
@@ -65,11 +67,11 @@ readFields (const FileReader& reader,
     reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
 
   constexpr std::uint64_t max_count = 1U << 20U; // far above that of any descriptor
-  // PCL's readers take points of at most as many bytes.
-  constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
-  std::uint64_t bytes = 0;
+  // PCL's readers refuse larger points.
+  constexpr std::uint64_t max_point_size = std::numeric_limits<std::int32_t>::max();
+  std::uint64_t point_size = 0; // [bytes]
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto* const type = findNumberType ([&] (const NumberType& known) {
+    const NumberType* const type = findNumberType ([&] (const NumberType& known) {
       return types[i] + sizes[i] == known.kind + std::to_string (known.size);
     });
     if (type == nullptr)
@@ -77,32 +79,33 @@ readFields (const FileReader& reader,
     const std::uint64_t count = reader.parseCount ("COUNT", counts[i]);
     if (count > max_count)
       reader.fail ("COUNT " + counts[i] + " is out of range");
-    if (count > 0) // PCL drops fields of COUNT 0, too
+    if (count > 0) // fields of COUNT 0 are left out, as by PCL
       addField (names[i], type->id, points, static_cast<pcl::uindex_t> (count));
-    bytes += count * type->size;
-    if (bytes > max_bytes)
-      reader.fail ("its points do not have 1 to " + std::to_string (max_bytes) +
+    point_size += count * type->size;
+    if (point_size > max_point_size)
+      reader.fail ("its points do not have 1 to " + std::to_string (max_point_size) +
                    " bytes each");
   }
-  if (bytes == 0)
+  if (point_size == 0)
     reader.fail ("its points have no numbers");
 }
 
+/** \brief Sets width and height by the lines WIDTH, HEIGHT and POINTS. */
 void
 readSize (const FileReader& reader,
           const PcdHeader& header,
           pcl::PCLPointCloud2& points)
 {
-  const auto value = [&] (const std::string& key) {
+  const auto count_of = [&] (const std::string& key) {
     const Words& line = lineOf (reader, header, key.c_str());
     if (line.size() != 1)
       reader.fail (key + " is not one number");
     return reader.parseCount (key, line[0]);
   };
-  const std::uint64_t size = value ("POINTS");
-  std::uint64_t width = value ("WIDTH");
-  std::uint64_t height = header.count ("HEIGHT") > 0 ? value ("HEIGHT") : 1;
-  if (width == 0 && height <= 1) { // some writers leave the size out
+  const std::uint64_t size = count_of ("POINTS");
+  std::uint64_t width = count_of ("WIDTH");
+  std::uint64_t height = header.count ("HEIGHT") > 0 ? count_of ("HEIGHT") : 1;
+  if (width == 0 && height <= 1) { // some writers set only POINTS
     width = size;
     height = 1;
   }
@@ -114,6 +117,7 @@ readSize (const FileReader& reader,
   points.height = static_cast<pcl::uindex_t> (height);
 }
 
+/** \brief Sets the pose by the line VIEWPOINT, if there is one. */
 void
 readViewpoint (const FileReader& reader, const PcdHeader& header, FileCloud& cloud)
 {
@@ -131,23 +135,24 @@ readViewpoint (const FileReader& reader, const PcdHeader& header, FileCloud& clo
   cloud.orientation = {numbers[3], numbers[4], numbers[5], numbers[6]};
 }
 
+/** \brief Reads ascii data, a line for each point. */
 void
 readText (FileReader& reader, pcl::PCLPointCloud2& points)
 {
-  std::size_t numbers = 0;
+  std::size_t numbers_per_point = 0;
   for (const pcl::PCLPointField& field : points.fields)
-    numbers += field.count;
-  // A number takes at least two bytes, a digit and a separator, which the last one may
-  // lack.
-  constexpr std::uint64_t min_bytes_of_number = 2;
-  if (sizeOf (points) > (reader.bytesLeft() + 1) / (min_bytes_of_number * numbers))
+    numbers_per_point += field.count;
+  constexpr std::uint64_t min_number_size = 2; // [bytes], a digit and a separator
+  const std::uint64_t min_point_size = min_number_size * numbers_per_point;
+  // The last number of the file may lack its separator.
+  if (sizeOf (points) > (reader.bytesLeft() + 1) / min_point_size)
     reader.failTruncated();
   points.data.resize (sizeOf (points) * points.point_step);
   std::uint8_t* out = points.data.data();
   while (out != points.data.data() + points.data.size()) {
     if (!reader.nextNumbers())
-      continue; // an empty line, which PCL's reader skips, too
-    reader.expectWordCount (numbers);
+      continue; // an empty line is skipped, as by PCL's reader
+    reader.expectWordCount (numbers_per_point);
     std::size_t word = 0;
     for (const pcl::PCLPointField& field : points.fields) {
       const NumberType& type = numberType (field.datatype);
@@ -160,81 +165,80 @@ readText (FileReader& reader, pcl::PCLPointCloud2& points)
 
 /** \brief Decompresses bytes of the LZF format (M. Lehmann's LibLZF), without PCL's
  * library, which loads VTK. The format is a sequence of chunks of two kinds. The first
- * byte of a chunk, its head, has two parts: l, the upper 3 bits, and r, the lower 5.
+ * byte of a chunk, its head, is 32 l + r, with l from 0 to 7 and r from 0 to 31.
  * - l = 0: r + 1 bytes follow, which are copied to the output.
- * - else: bytes of the output are repeated. Their number is l + 2; if l = 7, the next
- *   byte of the chunk is added to it. How far back in the output they begin is
- *   256 r + the last byte of the chunk + 1. */
+ * - l > 0: bytes of the output so far are repeated. Their number is l + 2, but if l =
+ * 7, it is 9 + the second byte of the chunk. They begin 256 r + b + 1 bytes before the
+ * end of the output, where b is the last byte of the chunk. */
 class LzfDecoder {
 public:
-  /** \param[out] bytes of the expected size */
+  /** \param[out] output has the expected size */
   LzfDecoder (const std::vector<std::uint8_t>& compressed,
-              std::vector<std::uint8_t>& bytes)
-  : compressed_ (compressed), bytes_ (bytes)
+              std::vector<std::uint8_t>& output)
+  : compressed_ (compressed), output_ (output)
   {}
 
   /** \return false if the compressed bytes do not make as many as expected */
   bool
   decompress ()
   {
-    while (in_ < compressed_.size()) {
-      const std::size_t head = compressed_[in_];
-      ++in_;
-      if (head < lower_part) {
-        if (!copyLiterals (head + 1))
-          return false;
-      }
-      else if (!repeat (head))
+    while (bytes_read_ < compressed_.size()) {
+      const std::size_t head = compressed_[bytes_read_];
+      ++bytes_read_;
+      const bool fits = head < l_factor ? copyLiterals (head + 1) : repeat (head);
+      if (!fits)
         return false;
     }
-    return out_ == bytes_.size();
+    return bytes_written_ == output_.size();
   }
 
 private:
-  /** \brief A head is l * lower_part + r. */
-  static constexpr std::size_t lower_part = 32;
+  /** \brief A head is l * l_factor + r. */
+  static constexpr std::size_t l_factor = 32;
 
+  /** \brief Copies bytes of a chunk with l = 0.
+   * \return false if they exceed the input or the output */
   bool
   copyLiterals (std::size_t count)
   {
-    if (count > compressed_.size() - in_ || count > bytes_.size() - out_)
+    if (count > compressed_.size() - bytes_read_ ||
+        count > output_.size() - bytes_written_)
       return false;
-    std::copy_n (&compressed_[in_], count, &bytes_[out_]);
-    in_ += count;
-    out_ += count;
+    std::copy_n (&compressed_[bytes_read_], count, &output_[bytes_written_]);
+    bytes_read_ += count;
+    bytes_written_ += count;
     return true;
   }
 
-  /** \brief Copies bytes from earlier in the output. */
+  /** \brief Repeats bytes of the output, as a chunk with l > 0 says.
+   * \return false if the chunk exceeds the input, or the bytes exceed the output */
   bool
   repeat (std::size_t head)
   {
-    constexpr std::size_t longest_in_head = 7; // of l
+    constexpr std::size_t l_of_long_chunk = 7;
     constexpr std::size_t min_count = 2, min_distance = 1;
-    std::size_t count = head / lower_part;
-    const bool is_long = count == longest_in_head;
-    const std::size_t bytes_left_of_chunk = is_long ? 2 : 1;
-    if (bytes_left_of_chunk > compressed_.size() - in_)
+    const std::size_t l = head / l_factor, r = head % l_factor;
+    const bool is_long = l == l_of_long_chunk;
+    const std::size_t bytes_behind_head = is_long ? 2 : 1;
+    if (bytes_behind_head > compressed_.size() - bytes_read_)
       return false;
+    std::size_t count = l + min_count;
     if (is_long) {
-      count += compressed_[in_];
-      ++in_;
+      count += compressed_[bytes_read_];
+      ++bytes_read_;
     }
-    count += min_count;
-    const std::size_t high_byte = head % lower_part;
-    const std::size_t distance = high_byte * 256 + compressed_[in_] + min_distance;
-    ++in_;
-    if (distance > out_ || count > bytes_.size() - out_)
+    const std::size_t distance = 256 * r + compressed_[bytes_read_] + min_distance;
+    ++bytes_read_;
+    if (distance > bytes_written_ || count > output_.size() - bytes_written_)
       return false;
-    for (; count > 0; --count, ++out_) // source and target may overlap
-      bytes_[out_] = bytes_[out_ - distance];
+    for (; count > 0; --count, ++bytes_written_) // source and target may overlap
+      output_[bytes_written_] = output_[bytes_written_ - distance];
     return true;
   }
 
   const std::vector<std::uint8_t>& compressed_;
-  std::vector<std::uint8_t>& bytes_;
-  /** \brief Numbers of bytes read and written so far. */
-  std::size_t in_ = 0, out_ = 0;
+  std::vector<std::uint8_t>& output_;
+  std::size_t bytes_read_ = 0, bytes_written_ = 0;
 };
 
 /** \brief Reads binary_compressed data, which have the values of all points field by
@@ -242,21 +246,20 @@ private:
 void
 readCompressed (FileReader& reader, pcl::PCLPointCloud2& points)
 {
-  // LZF expands three bytes to at most 264.
-  constexpr std::uint64_t max_expansion = 100;
+  constexpr std::uint64_t max_expansion = 100; // LZF makes at most 264 bytes of 3
   struct Sizes {
     std::uint32_t compressed, expanded;
   };
   const std::size_t size = sizeOf (points);
-  Sizes bytes{};
-  reader.read (&bytes, sizeof (bytes));
-  if (bytes.expanded != size * points.point_step)
+  Sizes byte_counts{};
+  reader.read (&byte_counts, sizeof (byte_counts));
+  if (byte_counts.expanded != size * points.point_step)
     reader.fail ("the size of its compressed data is not that of its points");
-  if (bytes.compressed > reader.bytesLeft() ||
-      bytes.expanded > max_expansion * bytes.compressed)
+  if (byte_counts.compressed > reader.bytesLeft() ||
+      byte_counts.expanded > max_expansion * byte_counts.compressed)
     reader.failTruncated();
-  std::vector<std::uint8_t> compressed (bytes.compressed);
-  std::vector<std::uint8_t> by_field (bytes.expanded);
+  std::vector<std::uint8_t> compressed (byte_counts.compressed);
+  std::vector<std::uint8_t> by_field (byte_counts.expanded);
   reader.read (compressed.data(), compressed.size());
   if (!LzfDecoder (compressed, by_field).decompress())
     reader.fail ("its compressed data are damaged");
@@ -311,24 +314,25 @@ readPcd (const std::string& file)
 
 namespace {
 
-/** \brief Returns the shortest text that is read back as the same number; in single
- * precision if the number fits it. */
+/** \brief Returns the shortest text, of 6 digits or more, that is read back as the same
+ * number; as the same float if the number is one. */
 std::string
 textOf (double number)
 {
-  constexpr int first_digits = 6; // those of a stream by default
+  constexpr int min_digits = 6; // as a stream writes by default
   const bool is_single = static_cast<double> (static_cast<float> (number)) == number;
   std::string text;
-  double read = NAN;
-  for (int digits = first_digits; digits <= std::numeric_limits<double>::max_digits10;
+  double number_read = NAN;
+  for (int digits = min_digits; digits <= std::numeric_limits<double>::max_digits10;
        ++digits) {
     std::ostringstream stream;
     stream.imbue (std::locale::classic());
     stream.precision (digits);
     stream << number;
     text = stream.str();
-    numberType (pcl::PCLPointField::FLOAT64).parse (text, &read);
-    if (read == number || (is_single && static_cast<float> (read) == number))
+    numberType (pcl::PCLPointField::FLOAT64).parse (text, &number_read);
+    if (number_read == number ||
+        (is_single && static_cast<float> (number_read) == number))
       break;
   }
   return text;
@@ -344,21 +348,22 @@ pcdHeader (const FileCloud& cloud)
   std::string types;
   std::string counts;
   const pcl::PCLPointCloud2& points = cloud.points;
-  const auto add = [&] (const std::string& name, const NumberType& type, auto count) {
-    names += " " + name;
-    sizes += " " + std::to_string (type.size);
-    types += std::string (" ") + type.kind;
-    counts += " " + std::to_string (count);
-  };
-  pcl::uindex_t end = 0; // of the fields so far, in a point [bytes]
+  const auto add_field =
+      [&] (const std::string& name, const NumberType& type, pcl::uindex_t count) {
+        names += " " + name;
+        sizes += " " + std::to_string (type.size);
+        types += std::string (" ") + type.kind;
+        counts += " " + std::to_string (count);
+      };
+  pcl::uindex_t end = 0; // offset in a point of the end of the fields so far [bytes]
   const auto pad_up_to = [&] (pcl::uindex_t offset) {
     if (offset > end) // PCD calls padding _
-      add ("_", numberType (pcl::PCLPointField::UINT8), offset - end);
+      add_field ("_", numberType (pcl::PCLPointField::UINT8), offset - end);
   };
   for (const pcl::PCLPointField& field : points.fields) {
     const NumberType& type = numberType (field.datatype);
     pad_up_to (field.offset);
-    add (field.name, type, field.count);
+    add_field (field.name, type, field.count);
     end = field.offset + static_cast<pcl::uindex_t> (field.count * type.size);
   }
   pad_up_to (points.point_step);

@@ -20,16 +20,17 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief A property of an element, and the field that it becomes if the element is
- * vertex. */
+/** \brief A property of an element. If the element is vertex, the property becomes a
+ * field of the cloud, or a byte of its packed color. */
 struct PlyProperty {
   std::string name;
   const NumberType* type = nullptr;
-  /** \brief Type of the length in front of a list; nullptr: no list. */
+  /** \brief Type of the length in front of a list; nullptr if the property is no list.
+   */
   const NumberType* length_type = nullptr;
-  /** \brief Offset of the property in a point of the cloud [bytes]. */
+  /** \brief Offset of the number in a point of the cloud [bytes]. */
   pcl::uindex_t offset = 0;
-  /** \brief Whether it becomes a field of another type, float. */
+  /** \brief Whether the field is a float, though \ref type is another type. */
   bool becomes_float = false;
 
   bool
@@ -40,6 +41,8 @@ struct PlyProperty {
 };
 using PlyProperties = std::vector<PlyProperty>;
 
+/** \brief What a PLY has many of, as vertices or faces: a table with a column for each
+ * property. */
 struct PlyElement {
   std::string name;
   /** \brief Number of rows, each with a value of every property. */
@@ -53,8 +56,9 @@ struct PlyHeader {
   std::string format;
   /** \brief In the order of the data. */
   std::vector<PlyElement> elements;
-  /** \brief Width and height of an organized cloud, by the names num_cols and num_rows
-   * of obj_info, and, once the data are read, all properties of the camera element. */
+  /** \brief Numbers that may tell width and height of an organized cloud, by their
+   * names: num_cols and num_rows of obj_info, and, once the data are read, all
+   * properties of PCL's camera element. */
   std::map<std::string, double> size_numbers;
 
   /** \return nullptr if no element has the name */
@@ -68,9 +72,12 @@ struct PlyHeader {
   }
 };
 
-/** \brief Far above those of any cloud, so that a broken header fails soon. */
+/** \brief Largest numbers of elements, and of properties of an element. Both are far
+ * above those of any cloud, so that a broken header fails soon. */
 constexpr std::size_t max_elements = 1000, max_properties = 10000;
 
+/** \brief Adds the element that a line "element NAME COUNT" declares.
+ * \param[in] words of the line */
 void
 readElement (const FileReader& reader, const Words& words, PlyHeader& header)
 {
@@ -84,14 +91,17 @@ readElement (const FileReader& reader, const Words& words, PlyHeader& header)
       {words[1], reader.parseCount ("element " + words[1], words[2]), {}});
 }
 
+/** \brief Adds the property that a line "property TYPE NAME" or "property list
+ * LENGTH_TYPE TYPE NAME" declares to the last element.
+ * \param[in] words of the line */
 void
 readProperty (const FileReader& reader, const Words& words, PlyHeader& header)
 {
   const bool is_list = words.size() == 5 && words[1] == "list";
   if (header.elements.empty() || (words.size() != 3 && !is_list))
     reader.fail ("its line property is incomplete");
-  const auto type_of = [&] (const std::string& name) {
-    const auto* const type = findNumberType ([&] (const NumberType& known) {
+  const auto type_called = [&] (const std::string& name) {
+    const NumberType* const type = findNumberType ([&] (const NumberType& known) {
       return name == known.ply_name || name == known.ply_name_with_bits;
     });
     if (type == nullptr)
@@ -103,11 +113,13 @@ readProperty (const FileReader& reader, const Words& words, PlyHeader& header)
     reader.fail ("its element " + element.name + " has more than " +
                  std::to_string (max_properties) + " properties");
   element.properties.push_back ({words.back(),
-                                 type_of (words[words.size() - 2]),
-                                 is_list ? type_of (words[2]) : nullptr});
+                                 type_called (words[words.size() - 2]),
+                                 is_list ? type_called (words[2]) : nullptr});
   element.has_lists = element.has_lists || is_list;
 }
 
+/** \throws WorkError if the format is unknown, or there are no vertices, or two
+ * properties of vertices have the same name */
 void
 checkHeader (const FileReader& reader, const PlyHeader& header)
 {
@@ -155,6 +167,7 @@ readPlyHeader (FileReader& reader)
 /** \brief Reads the data of a PLY, number by number. */
 class PlyData {
 public:
+  /** \param[in] format PlyHeader::format */
   PlyData (FileReader& reader, const std::string& format)
   : reader_ (reader), is_text_ (format == "ascii")
   {
@@ -169,8 +182,8 @@ public:
     line_lengths_.clear();
   }
 
-  /** \brief In a text, goes on to the line of the next row, or its lines if rows
-   * without lists are divided into several. */
+  /** \brief Begins the next row. In a text this is the next line; or the next lines, if
+   * the rows of an element without lists have several lines each. */
   void
   beginRow (const PlyElement& element)
   {
@@ -198,8 +211,8 @@ public:
       std::reverse (bytes, bytes + type.size);
   }
 
-  /** \return the last number of a list (0 if it is empty), or the number of a property
-   * that is no list */
+  /** \brief Reads the value of a property of the row.
+   * \return the number; of a list the last number, or 0 if the list is empty */
   double
   readProperty (const PlyProperty& property)
   {
@@ -212,6 +225,7 @@ public:
     return last;
   }
 
+  /** \throws WorkError if numbers of the row have not been read */
   void
   endRow () const
   {
@@ -220,6 +234,7 @@ public:
   }
 
 private:
+  /** \brief Reads the next number of the row. */
   double
   number (const NumberType& type)
   {
@@ -230,6 +245,7 @@ private:
     return type.read (bytes);
   }
 
+  /** \brief Returns the index of the next word of the line. */
   std::size_t
   nextWord ()
   {
@@ -247,17 +263,23 @@ private:
   }
 
   FileReader& reader_;
+  /** \brief Whether the format is ascii, and whether the bytes of numbers are in the
+   * reverse of the machine's order. */
   bool is_text_, is_swapped_ = false;
+  /** \brief Index of the next word to read in the reader's current line. */
   std::size_t next_word_ = 0;
-  /** \brief The number of words in each line of the first row of the element. */
+  /** \brief The number of words in each line of the first row of the element; empty
+   * before this row and for elements with lists. */
   std::vector<std::size_t> line_lengths_;
 };
 
-/** \brief The names of the bytes of PCL's packed color, from the lowest. */
+/** \brief The names of the bytes of PCL's packed color, from the lowest byte to the
+ * highest.
+ */
 constexpr std::array<const char*, 4> color_names = {"blue", "green", "red", "alpha"};
 
-/** \brief Returns the byte of PCL's packed color that a property of type uchar becomes,
- * if it is a color. */
+/** \brief Returns the index of the byte of PCL's packed color that a property becomes;
+ * nothing if the property is no color of type uchar. */
 std::optional<pcl::uindex_t>
 byteInColor (const PlyProperty& property)
 {
@@ -269,26 +291,27 @@ byteInColor (const PlyProperty& property)
   return {};
 }
 
-/** \brief Adds the field of a property that is no part of a color. */
+/** \brief Adds the field that a property becomes which is no part of a color. */
 void
 addOwnField (PlyProperty& property, pcl::PCLPointCloud2& points)
 {
   const std::string& name = property.name;
   const bool is_normal = name == "nx" || name == "ny" || name == "nz";
-  const std::uint8_t type = property.type->id;
-  property.becomes_float = name == "intensity" && type == PCLPointField::UINT8;
+  const std::uint8_t datatype = property.type->id;
+  property.becomes_float = name == "intensity" && datatype == PCLPointField::UINT8;
   property.offset = points.point_step;
   addField (is_normal ? "normal_" + name.substr (1) : name,
-            property.becomes_float ? std::uint8_t (PCLPointField::FLOAT32) : type,
+            property.becomes_float ? std::uint8_t (PCLPointField::FLOAT32) : datatype,
             points);
 }
 
-/** \brief Adds the fields of the vertices with PCL's names: normals, a packed color,
- * and intensity as a float. Lists are left out, as no field has room for them. */
+/** \brief Adds the fields of the vertices, with PCL's names and types for normals,
+ * color and intensity, and makes room for the points. Lists are left out: a field has a
+ * fixed number of values. */
 void
 addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
 {
-  std::optional<std::size_t> color_index; // of the color field, once there is one
+  std::optional<std::size_t> color_index; // of the color field in points.fields
   for (PlyProperty& property : vertex.properties) {
     if (property.isList())
       continue;
@@ -311,9 +334,9 @@ addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
   points.data.resize (vertex.count * points.point_step);
 }
 
-/** \brief Reads the rows of an element. It keeps the vertices in \p points, and the
- * numbers of PCL's camera element, which has the size of the cloud, in
- * \p size_numbers. */
+/** \brief Reads the rows of an element. Keeps the vertices in \p points, and the
+ * numbers of PCL's camera element, which tell the size of the cloud, in \p
+ * size_numbers; skips other elements. */
 void
 readRows (PlyData& data,
           const PlyElement& element,
@@ -321,7 +344,7 @@ readRows (PlyData& data,
           std::map<std::string, double>& size_numbers)
 {
   const bool is_vertex = element.name == "vertex";
-  std::uint8_t* point = points.data.data();
+  std::uint8_t* point = points.data.data(); // the vertex of the row
   data.beginElement();
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     data.beginRow (element);
@@ -343,16 +366,18 @@ readRows (PlyData& data,
   }
 }
 
-/** \brief Sets width and height of a cloud with \p size points: those of the camera
- * element, else of obj_info; unorganized if they do not fit the size. */
+/** \brief Sets width and height of a cloud with \p size points to those that the camera
+ * element tells, else to those of obj_info. If these do not fit the size, the cloud is
+ * unorganized. */
 void
 organize (std::uint64_t size,
           std::map<std::string, double>& size_numbers,
           pcl::PCLPointCloud2& points)
 {
-  const auto number = [&] (const char* of_camera, const char* of_info) {
-    return size_numbers.count (of_camera) > 0 ? size_numbers[of_camera]
-                                              : size_numbers[of_info];
+  // Returns 0 if there is neither name.
+  const auto number = [&] (const char* camera_name, const char* info_name) {
+    return size_numbers.count (camera_name) > 0 ? size_numbers[camera_name]
+                                                : size_numbers[info_name];
   };
   const double width = number ("viewportx", "num_cols");
   const double height = number ("viewporty", "num_rows");
@@ -429,18 +454,19 @@ propertiesOf (const pcl::PCLPointCloud2& points)
   return properties;
 }
 
-/** \brief Returns the least number of bytes that the data of a PLY have. */
+/** \brief Returns the least number of bytes that the data of a PLY have. Of a list only
+ * the length is counted, as it may be empty.
+ * \param[in] is_text whether the format is ascii */
 std::uint64_t
 minDataSize (const PlyHeader& header, bool is_text)
 {
-  constexpr std::uint64_t min_text_size = 2; // a digit and a separator
+  constexpr std::uint64_t min_text_size = 2; // [bytes], a digit and a separator
   std::uint64_t size = 0;
   for (const PlyElement& element : header.elements)
     for (const PlyProperty& property : element.properties) {
-      // A list may be empty.
-      const NumberType& first =
+      const NumberType& first_number =
           property.isList() ? *property.length_type : *property.type;
-      size += element.count * (is_text ? min_text_size : first.size);
+      size += element.count * (is_text ? min_text_size : first_number.size);
     }
   return size;
 }
@@ -453,8 +479,8 @@ readPly (const std::string& file)
   FileReader reader (file, "PLY");
   PlyHeader header = readPlyHeader (reader);
   const bool is_text = header.format == "ascii";
-  if (reader.bytesLeft() + 1 <
-      minDataSize (header, is_text)) // the last separator may be missing
+  // The separator behind the last number may be missing.
+  if (reader.bytesLeft() + 1 < minDataSize (header, is_text))
     reader.failTruncated();
   FileCloud cloud;
   PlyData data (reader, header.format);
@@ -478,7 +504,7 @@ plyHeader (const pcl::PCLPointCloud2& points)
               "\nobj_info num_rows " + std::to_string (points.height) + "\n";
   header += "element vertex " + std::to_string (sizeOf (points)) + "\n";
   for (const PlyProperty& property : propertiesOf (points)) {
-    const std::string_view type = property.type->ply_name;
+    const std::string_view type = property.type->ply_name; // empty: not in PLY
     header += "property " + std::string (type.empty() ? "double" : type) + " " +
               property.name + "\n";
   }

@@ -24,7 +24,9 @@ PointRows::addColor()
 {
   const pcl::uindex_t offset = cloud.point_step;
   addField ("rgb", pcl::PCLPointField::FLOAT32, cloud);
-  for (const pcl::uindex_t byte : {2u, 1u, 0u}) { // red, green, and blue, the lowest
+  // In PCL's packed color blue is the lowest byte, red the third one.
+  constexpr pcl::uindex_t red = 2, green = 1, blue = 0;
+  for (const pcl::uindex_t byte : {red, green, blue}) {
     columns_.push_back (
         {is_skipped_.size(), &numberType (pcl::PCLPointField::UINT8), offset + byte});
     is_skipped_.push_back (false);
@@ -38,13 +40,13 @@ PointRows::skipColumn()
 }
 
 void
-PointRows::addColumnsOfLine (const Words& further)
+PointRows::addColumnsOfLine (const Words& names_behind_z)
 {
   const std::size_t count = reader_.wordCount();
   reader_.checkColumnCount();
   Words names = {"x", "y", "z"};
-  if (further.size() + names.size() == count)
-    names.insert (names.end(), further.begin(), further.end());
+  if (names_behind_z.size() + names.size() == count)
+    names.insert (names.end(), names_behind_z.begin(), names_behind_z.end());
   while (names.size() < count)
     names.push_back ("field_" + std::to_string (names.size() + 1));
   for (const std::string& name : names)

@@ -12,13 +12,14 @@
 namespace pcl_ops::apps {
 
 /** \brief Makes a cloud from lines of numbers, one line for each point. Declare the
- * columns first, from the left. Before each \ref addPoint, the caller has the reader go
- * on to the next line. */
+ * columns first, from left to right. Before each \ref addPoint, make the reader go on
+ * to the line of the point. */
 class PointRows {
 public:
   explicit PointRows (FileReader& reader) : reader_ (reader) {}
 
-  /** \param[in] datatype a type of pcl::PCLPointField */
+  /** \brief Declares a column of numbers, which becomes a field.
+   * \param[in] datatype of the field, a type of pcl::PCLPointField */
   void
   addColumn (const std::string& name, std::uint8_t datatype);
 
@@ -33,11 +34,11 @@ public:
 
   /** \brief Declares all columns of the reader's current line in double precision: x,
    * y, z and further ones.
-   * \param[in] further names of the columns behind z; if their number differs, the
-   * columns become field_4, field_5, ...
+   * \param[in] names_behind_z of the further columns; if there are more or fewer of these,
+   * they are called field_4, field_5, ...
    * \throws WorkError unless the line has 3 to \ref max_columns words */
   void
-  addColumnsOfLine (const Words& further);
+  addColumnsOfLine (const Words& names_behind_z);
 
   /** \brief Adds the reader's current line as a point.
    * \throws WorkError if its columns differ from those declared, or there are more
@@ -52,7 +53,7 @@ public:
     return size_;
   }
 
-  /** \brief Returns where the bytes of the last point begin; there must be one. */
+  /** \brief Returns the first byte of the last point; there must be one. */
   std::uint8_t*
   lastPoint ()
   {
@@ -74,10 +75,11 @@ public:
   take ();
 
 private:
-  /** \brief A column that has a number of a point. */
+  /** \brief A column of numbers, which become a field or a byte of the color. */
   struct Column {
-    /** \brief Index of its word in a line. */
+    /** \brief Index in a line of the word with the number. */
     std::size_t word;
+    /** \brief Type of the number in the cloud. */
     const NumberType* type;
     /** \brief Offset of the number in a point [bytes]. */
     pcl::uindex_t offset;
@@ -85,7 +87,7 @@ private:
 
   FileReader& reader_;
   std::vector<Column> columns_;
-  /** \brief For each column of a line, whether it is skipped. */
+  /** \brief For each column that was declared, whether it is skipped. */
   std::vector<bool> is_skipped_;
   std::size_t size_ = 0;
 };

@@ -15,16 +15,18 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief The format of a line with a quaternion. */
 constexpr const char* line_format = "timestamp tx ty tz qx qy qz qw";
 
-/** \brief Numbers of a pose in a line of \ref line_format, and as a matrix. */
-constexpr std::size_t numbers_of_quaternion = 8, numbers_of_matrix = 12;
+/** \brief How many numbers a line has in \ref line_format, and how many with a matrix.
+ */
+constexpr std::size_t numbers_with_quaternion = 8, numbers_of_matrix = 12;
 
-/** \brief How much a rotation may differ from an exact one: some files have only four
- * decimals. */
+/** \brief How much the length of a quaternion and the elements of R times its transpose
+ * may differ from exact ones: some files have only four decimals. */
 constexpr double rotation_rounding = 0.01;
 
-/** \brief Reads the numbers of a line; stops after one more than a pose can have.
+/** \brief Reads the numbers of a line, at most 13: one more than a pose can have.
  * \return what is wrong with the line; empty if nothing is */
 std::string
 readNumbers (const std::string& line, std::vector<double>& numbers)
@@ -41,7 +43,8 @@ readNumbers (const std::string& line, std::vector<double>& numbers)
   return {};
 }
 
-/** \param[in] n the numbers of \ref line_format
+/** \brief Sets a pose by the numbers of a line.
+ * \param[in] n the numbers in the order of \ref line_format
  * \return what is wrong with them; empty if nothing is */
 std::string
 fromQuaternion (const std::vector<double>& n, Eigen::Isometry3d& pose)
@@ -53,8 +56,9 @@ fromQuaternion (const std::vector<double>& n, Eigen::Isometry3d& pose)
   return {};
 }
 
-/** \param[in] n the first three rows of a matrix, as of KITTI (Geiger et al., CVPR
- * 2012)
+/** \brief Sets a pose by the numbers of a line.
+ * \param[in] n the first three rows of a matrix, row by row, as KITTI has them (Geiger et
+ * al., CVPR 2012)
  * \return what is wrong with them; empty if nothing is */
 std::string
 fromMatrix (const std::vector<double>& n, Eigen::Isometry3d& pose)
@@ -70,7 +74,8 @@ fromMatrix (const std::vector<double>& n, Eigen::Isometry3d& pose)
   return {};
 }
 
-/** \return what is wrong with the line; empty if nothing is */
+/** \brief Sets a pose by a line.
+ * \return what is wrong with the line; empty if nothing is */
 std::string
 readPose (const std::string& line, Eigen::Isometry3d& pose)
 {
@@ -78,7 +83,7 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
   std::string problem = readNumbers (line, numbers);
   if (!problem.empty())
     return problem;
-  if (numbers.size() == numbers_of_quaternion)
+  if (numbers.size() == numbers_with_quaternion)
     problem = fromQuaternion (numbers, pose);
   else if (numbers.size() == numbers_of_matrix)
     problem = fromMatrix (numbers, pose);
@@ -88,8 +93,8 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
     return "has " + std::to_string (numbers.size()) +
            (numbers.size() == 1 ? " number, a time, which is not needed" : " numbers");
   // No sensor moves so far, and much farther away doubles do not resolve millimeters.
-  constexpr double farthest = 1e9; // [m]
-  if (problem.empty() && !(pose.translation().cwiseAbs().maxCoeff() <= farthest))
+  constexpr double max_coordinate = 1e9; // [m]
+  if (problem.empty() && !(pose.translation().cwiseAbs().maxCoeff() <= max_coordinate))
     return "has a place more than 1e9 m from zero";
   return problem;
 }
@@ -102,9 +107,11 @@ isWithoutPose (const std::string& line)
   return first == std::string::npos || line[first] == '#';
 }
 
-/** \return what is wrong with the text; empty if nothing is */
+/** \brief Sets the transform of \ref loadCalibration.
+ * \param[in] text of the line behind its key
+ * \return what is wrong with the text; empty if nothing is */
 std::string
-readCalibration (const std::string& text, Eigen::Isometry3d& scan_to_camera)
+readCalibration (const std::string& text, Eigen::Isometry3d& lidar_to_camera)
 {
   std::vector<double> numbers;
   const std::string problem = readNumbers (text, numbers);
@@ -112,7 +119,7 @@ readCalibration (const std::string& text, Eigen::Isometry3d& scan_to_camera)
     return problem;
   if (numbers.size() != numbers_of_matrix)
     return "has " + std::to_string (numbers.size()) + " numbers";
-  return fromMatrix (numbers, scan_to_camera);
+  return fromMatrix (numbers, lidar_to_camera);
 }
 
 } // namespace
@@ -148,7 +155,7 @@ lookLikeCameraOfKitti (const std::string& file,
   std::vector<double> numbers;
   if (!readNumbers (line, numbers).empty() || numbers.size() != numbers_of_matrix)
     return false;
-  // The path length along each axis of the camera.
+  // How far the camera moves along each of its axes, back and forth added up.
   Eigen::Vector3d path = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i + 1 < poses.size(); ++i)
     path += (poses[i].inverse() * poses[i + 1]).translation().cwiseAbs();
@@ -163,13 +170,13 @@ loadCalibration (const std::string& file)
     for (const std::string key : {"Tr:", "Tr_velo_to_cam:"}) {
       if (line.rfind (key, 0) != 0)
         continue;
-      Eigen::Isometry3d scan_to_camera;
+      Eigen::Isometry3d lidar_to_camera;
       const std::string problem =
-          readCalibration (line.substr (key.size()), scan_to_camera);
+          readCalibration (line.substr (key.size()), lidar_to_camera);
       if (!problem.empty())
         throw WorkError (
             file, "the line " + key + " " + problem + "; give KITTI's, of 12 numbers");
-      return scan_to_camera;
+      return lidar_to_camera;
     }
   throw WorkError (file, "has no line Tr: of 12 numbers; give a calib.txt of KITTI");
 }

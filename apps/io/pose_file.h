@@ -9,19 +9,20 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Reads the poses of a camera, each as the transform from the camera's frame to
- * a common one. A line has a pose in the format of the TUM RGB-D benchmark (Sturm et
- * al., IROS 2012), "timestamp tx ty tz qx qy qz qw" [s, m], or of KITTI, the first
- * three rows of a matrix, row by row. Empty lines and those that begin with # are
- * skipped.
- * \throws WorkError if the file cannot be read, or has a line that is no pose: it names
- * the first such line */
+/** \brief Reads the poses of a camera, each as the transform from the frame of the
+ * camera to a common frame. A line has a pose in the format of the TUM RGB-D benchmark
+ * (Sturm et al., IROS 2012), "timestamp tx ty tz qx qy qz qw", where the time is in s,
+ * the position in m, and the quaternion without unit; or in that of KITTI, the first
+ * three rows of the matrix of the transform, row by row. Empty lines and lines that
+ * begin with # are skipped.
+ * \throws WorkError if the file cannot be read, or has a line that is no pose: the error
+ * names the first such line */
 std::vector<Eigen::Isometry3d>
 loadPoses (const std::string& file);
 
-/** \brief Whether poses look like those of KITTI's camera: the first is written as 12
- * numbers, and the motion is mostly along z, the viewing direction of that camera. In
- * KITTI's lidar frame it would be along x. Poses without motion count, too.
+/** \brief Whether poses look like those of KITTI's camera: the first pose is written as
+ * 12 numbers, and the camera moves mostly along its z axis, the viewing direction (a
+ * lidar of KITTI would move along x). Poses without motion look so, too.
  * \param[in] file from which \p poses were loaded */
 bool
 lookLikeCameraOfKitti (const std::string& file,

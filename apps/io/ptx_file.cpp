@@ -16,13 +16,15 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief The header of a scan in a PTX. */
+/** \brief The header of a scan in a PTX. The common frame is that of all scans. */
 struct PtxScan {
+  /** \brief Numbers of columns and rows of points. */
   std::uint64_t columns = 0, rows = 0;
-  /** \brief Position of the scanner, and its axes as columns, in the common frame. */
+  /** \brief Position of the scanner in the common frame. */
   Eigen::Vector3d position;
+  /** \brief The axes of the scanner in the common frame, as columns. */
   Eigen::Matrix3d axes;
-  /** \brief Transform from the frame of the scan to the common frame of all scans. */
+  /** \brief Transform from the frame of the scan to the common frame. */
   Eigen::Affine3d transform;
 };
 
@@ -39,7 +41,7 @@ public:
   read ()
   {
     FileCloud cloud;
-    PtxScan scan;
+    PtxScan scan; // the last one that was read
     while (reader_.nextWords()) {
       scan = readScanHeader();
       cloud.scans.push_back ({rows_.size(), scan.position});
@@ -49,8 +51,8 @@ public:
     if (cloud.scans.size() > 1)
       return cloud;
     cloud.scans.clear();
-    // A PTX has its points column by column: a column of the scan is a row of the
-    // cloud.
+    // A PTX has its points column by column, a cloud row by row: so a column of the
+    // scan is a row of the cloud.
     cloud.points.width = static_cast<pcl::uindex_t> (scan.rows);
     cloud.points.height = static_cast<pcl::uindex_t> (scan.columns);
     cloud.origin = scan.position;
@@ -59,14 +61,16 @@ public:
   }
 
 private:
-  /** \brief Returns the only number of the current line. */
+  /** \brief Returns the only number of the current line, a count.
+   * \param[in] what the count, for messages */
   std::uint64_t
-  takeCount (const std::string& what)
+  countInLine (const std::string& what)
   {
     reader_.expectWordCount (1);
     return reader_.parseCount (what, std::string (reader_.word (0)));
   }
 
+  /** \throws WorkError if there is no further line */
   void
   nextLine ()
   {
@@ -94,11 +98,12 @@ private:
   PtxScan
   readScanHeader ()
   {
-    constexpr double min_determinant = 0.5; // orthonormal axes have 1 before rounding
+    // Orthonormal axes have a determinant of 1 or -1, but axes may be rounded.
+    constexpr double min_determinant = 0.5;
     PtxScan scan;
-    scan.columns = takeCount ("its number of columns");
+    scan.columns = countInLine ("its number of columns");
     nextLine();
-    scan.rows = takeCount ("its number of rows");
+    scan.rows = countInLine ("its number of rows");
     scan.position = nextVector<3>();
     for (int axis = 0; axis < 3; ++axis)
       scan.axes.col (axis) = nextVector<3>();
@@ -119,20 +124,21 @@ private:
   void
   declareColumns ()
   {
-    const std::size_t numbers = reader_.wordCount();
-    const bool has_intensity = numbers == 4 || numbers == 7;
-    const bool has_color = numbers == 6 || numbers == 7;
-    if (numbers != 3 && !has_intensity && !has_color)
-      reader_.failAtLine ("has " + std::to_string (numbers) +
+    const std::size_t columns = reader_.wordCount();
+    const bool has_intensity = columns == 4 || columns == 7;
+    const bool has_color = columns == 6 || columns == 7;
+    if (columns != 3 && !has_intensity && !has_color)
+      reader_.failAtLine ("has " + std::to_string (columns) +
                           " numbers instead of 3, 4, 6 or 7");
-    for (const char* axis : {"x", "y", "z"})
-      rows_.addColumn (axis, PCLPointField::FLOAT64);
+    for (const char* coordinate : {"x", "y", "z"})
+      rows_.addColumn (coordinate, PCLPointField::FLOAT64);
     if (has_intensity)
       rows_.addColumn ("intensity", PCLPointField::FLOAT32);
     if (has_color)
       rows_.addColor();
   }
 
+  /** \brief Reads the points of a scan, a line for each. */
   void
   readPoints (const PtxScan& scan)
   {
@@ -145,8 +151,8 @@ private:
     }
   }
 
-  /** \brief Moves the last point into the common frame. A point at the scanner itself
-   * is a missing reading and becomes NaN. */
+  /** \brief Transforms the last point into the common frame. A point at the scanner is
+   * a missing reading and becomes NaN. */
   void
   moveLastPoint (const Eigen::Affine3d& transform)
   {

@@ -23,13 +23,14 @@ namespace {
 using boost::format;
 using Positions = std::vector<Eigen::Vector3d>;
 
-/** \brief Returns a sample of the finite points, evenly spread over the indices: a
- * share of the sample is about that of the cloud. */
+/** \brief Returns a sample of the finite points, evenly spread over their indices, so
+ * that about the same percentage of points is at a place in the sample as in the cloud.
+ */
 Positions
 sampleOf (const XyzCloud& cloud)
 {
-  constexpr std::size_t wanted = 4096; // the sample has less than twice as many
-  const std::size_t step = std::max<std::size_t> (1, cloud.size() / wanted);
+  constexpr std::size_t min_size = 4096; // the sample has less than twice as many
+  const std::size_t step = std::max<std::size_t> (1, cloud.size() / min_size);
   Positions sample;
   for (std::size_t i = 0; i < cloud.size(); i += step)
     if (pcl::isXYZFinite (cloud[i]))
@@ -37,15 +38,16 @@ sampleOf (const XyzCloud& cloud)
   return sample;
 }
 
-/** \brief The place at which the most points are. */
+/** \brief The place of the most points of a sample. */
 struct SharedPlace {
   Eigen::Vector3d position;
   /** \brief Number of points at this place. */
-  std::size_t points;
-  /** \brief Number of distinct places. */
-  std::size_t all_places;
+  std::size_t point_count;
+  /** \brief Number of all places of the sample. */
+  std::size_t place_count;
 };
 
+/** \param[in] positions of the points of a sample, at least one */
 SharedPlace
 mostSharedPlace (const Positions& positions)
 {
@@ -56,18 +58,18 @@ mostSharedPlace (const Positions& positions)
       points_at.begin(), points_at.end(), [] (const auto& a, const auto& b) {
         return a.second < b.second;
       });
-  const auto& [place, points] = *most_shared;
-  return {Eigen::Vector3d (place.data()), points, points_at.size()};
+  const auto& [coordinates, point_count] = *most_shared;
+  return {Eigen::Vector3d (coordinates.data()), point_count, points_at.size()};
 }
 
 /** \brief Returns the number of outliers. The points are sorted by their distance from
- * the median. In the farther half, a point is an outlier if it is farther from the
- * median than a thousand diagonals of the bounding box of all nearer points; so are all
- * points behind the first outlier. */
+ * the median. The first outlier is in the farther half: its distance from the median is
+ * more than a thousand times the diagonal of the bounding box of all nearer points. All
+ * farther points are outliers, too. */
 std::size_t
-countFar (Positions positions)
+countOutliers (Positions positions)
 {
-  constexpr double max_diagonals = 1000.0;
+  constexpr double max_distance_in_diagonals = 1000.0;
   const Eigen::Vector3d median = quantileOfEach (positions, 0.5);
   const auto is_nearer = [&] (const auto& first, const auto& second) {
     return (first - median).squaredNorm() < (second - median).squaredNorm();
@@ -76,8 +78,9 @@ countFar (Positions positions)
   Eigen::AlignedBox3d nearer;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const double diagonal = nearer.diagonal().norm();
-    const bool is_outlier = 2 * i > positions.size() && diagonal > 0.0 &&
-                            (positions[i] - median).norm() > max_diagonals * diagonal;
+    const bool is_outlier =
+        2 * i > positions.size() && diagonal > 0.0 &&
+        (positions[i] - median).norm() > max_distance_in_diagonals * diagonal;
     if (is_outlier)
       return positions.size() - i;
     nearer.extend (positions[i]);
@@ -85,17 +88,19 @@ countFar (Positions positions)
   return 0;
 }
 
-/** \brief Returns the share as text, "12 %". */
+/** \brief Returns which percentage of \p all is \p count, as text: "12 %". */
 std::string
 percentText (std::size_t count, std::size_t all)
 {
-  constexpr double nearly_all = 99.5; // [%], which two digits would show as 1e+02
+  // From here on two digits would show 1e+02.
+  constexpr double nearly_all = 99.5; // [%]
   const double percent =
       100.0 * static_cast<double> (count) / static_cast<double> (all);
   return str (format (percent < nearly_all ? "%.2g %%" : "%.3g %%") % percent);
 }
 
-/** \brief Whether all coordinates are exact in single precision. */
+/** \brief Whether single precision holds all coordinates exactly.
+ * \param[in] size number of points */
 bool
 isExactInSingle (const CoordinateReader& reader, std::size_t size)
 {
@@ -111,6 +116,7 @@ isExactInSingle (const CoordinateReader& reader, std::size_t size)
   return true;
 }
 
+/** \brief An order of positions: by x, then y, then z. */
 bool
 isBefore (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
 {
@@ -118,14 +124,18 @@ isBefore (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
       first.begin(), first.end(), second.begin(), second.end());
 }
 
-/** \brief Returns at most about \p wanted finite places, sorted. Which ones does not
- * depend on the order of the points. */
+/** \brief Returns the finite places with the smallest hashes, sorted by their
+ * coordinates: about \p wanted or fewer. The choice does not depend on the order of the
+ * points.
+ * \param[in] size number of all points */
 Positions
-sampleByHash (std::size_t size, const PositionOf& position_of, std::size_t wanted)
+placesBySmallestHash (std::size_t size,
+                      const PositionOf& position_of,
+                      std::size_t wanted)
 {
-  const auto points_for_one = static_cast<std::uint32_t> (size / wanted + 1);
+  const auto points_per_chosen_one = static_cast<std::uint32_t> (size / wanted + 1);
   const std::uint32_t max_hash =
-      std::numeric_limits<std::uint32_t>::max() / points_for_one;
+      std::numeric_limits<std::uint32_t>::max() / points_per_chosen_one;
   Positions places;
   for (std::size_t i = 0; i < size; ++i)
     if (const Eigen::Vector3d position = position_of (i);
@@ -136,15 +146,15 @@ sampleByHash (std::size_t size, const PositionOf& position_of, std::size_t wante
   return places;
 }
 
-/** \brief Returns the median, rounded to a multiple of a power of two that is at least
- * 16 times the median absolute deviation; the library rounds the origin of its frame in
- * the same way. So it is nearly always the same for other points of the same
- * surroundings, and zero for those around zero. It is zero for no points, and not
- * rounded if the deviation is 0. */
+/** \brief Returns the median of places, rounded to a multiple of a step. The step is
+ * the least power of two that is 16 times the median absolute deviation or more. So
+ * clouds of the same surroundings nearly always have the same rounded median, and
+ * clouds around zero have zero. The library rounds the origin of its frame in the same
+ * way. Zero if there are no places; not rounded if the deviation is 0. */
 Eigen::Vector3d
 roundedMedian (const Positions& places)
 {
-  constexpr double min_deviations = 16.0;
+  constexpr double min_step_in_deviations = 16.0;
   if (places.empty())
     return Eigen::Vector3d::Zero();
   const Eigen::Vector3d median = quantileOfEach (places, 0.5);
@@ -155,7 +165,8 @@ roundedMedian (const Positions& places)
   const double deviation = quantileOfEach (deviations, 0.5).maxCoeff();
   if (!(deviation > 0.0 && std::isfinite (deviation)))
     return median;
-  const double step = std::exp2 (std::ceil (std::log2 (min_deviations * deviation)));
+  const double step =
+      std::exp2 (std::ceil (std::log2 (min_step_in_deviations * deviation)));
   return (median / step + Eigen::Vector3d::Constant (0.5)).array().floor() * step;
 }
 
@@ -167,11 +178,11 @@ hashOf (const Eigen::Vector3d& position)
   constexpr std::uint64_t multiplier = 0x9e3779b97f4a7c15u; // 2^64 / golden ratio, odd
   std::uint64_t hash = 0;
   for (const double coordinate : position) {
-    const double without_minus_zero = coordinate + 0.0;
+    const double without_minus_zero = coordinate + 0.0; // -0.0 becomes 0.0
     std::uint64_t bits;
     std::memcpy (&bits, &without_minus_zero, sizeof bits);
     hash = (hash ^ bits) * multiplier;
-    hash ^= hash >> 32; // high bits change the low ones, which are returned
+    hash ^= hash >> 32; // mixes the upper bits into the lower ones, which are returned
   }
   return static_cast<std::uint32_t> (hash);
 }
@@ -204,34 +215,34 @@ shiftedCloudOf (const FileCloud& cloud, double step)
 std::string
 damageOf (const ShiftedCloud& shifted)
 {
-  // A share of fewer points says nothing.
-  constexpr std::size_t min_points = 10;
-  // On a coarse grid points coincide, too, but about as many at every place.
-  constexpr std::size_t min_times_mean = 16;
-  // Half a percent, as a sample may have fewer of the far points.
-  constexpr double max_far_share = 0.005;
+  constexpr std::size_t min_points = 10; // percentages of fewer points tell nothing
+  // In units of the mean number of points at a place: on a coarse grid points coincide,
+  // too, but at every place about as many.
+  constexpr std::size_t min_points_of_missing_readings = 16;
+  constexpr double max_outlier_share = 0.005; // of the sample
   const Positions sample = sampleOf (*shifted.cloud);
   const std::size_t size = sample.size();
   if (size < min_points)
     return "";
   const SharedPlace shared = mostSharedPlace (sample);
   const Eigen::Vector3d position = shared.position + shifted.shift;
-  // 10 digits: UTM coordinates to the millimeter.
-  const std::string shared_text = str (
-      format ("%s of its points are at (%.10g, %.10g, %.10g)") %
-      percentText (shared.points, size) % position.x() % position.y() % position.z());
-  if (2 * shared.points > size)
+  // 10 digits show UTM coordinates to the millimeter.
+  const std::string shared_text =
+      str (format ("%s of its points are at (%.10g, %.10g, %.10g)") %
+           percentText (shared.point_count, size) % position.x() % position.y() %
+           position.z());
+  if (2 * shared.point_count > size)
     return "looks damaged: " + shared_text +
            "; leave missing readings out or write them as NaN";
-  const std::size_t far = countFar (sample);
-  if (static_cast<double> (far) > max_far_share * static_cast<double> (size))
-    return "looks damaged: " + percentText (far, size) +
+  const std::size_t outliers = countOutliers (sample);
+  if (static_cast<double> (outliers) > max_outlier_share * static_cast<double> (size))
+    return "looks damaged: " + percentText (outliers, size) +
            " of its points are more than 1000 times as far away as the rest is wide; "
            "leave them out";
-  const bool is_one_percent = 100 * shared.points >= size;
+  const bool is_at_least_one_percent = 100 * shared.point_count >= size;
   const bool is_far_above_mean =
-      shared.points * shared.all_places > min_times_mean * size;
-  if (is_one_percent && is_far_above_mean && shared.points >= min_points)
+      shared.point_count * shared.place_count > min_points_of_missing_readings * size;
+  if (is_at_least_one_percent && is_far_above_mean && shared.point_count >= min_points)
     return "is missing readings: " + shared_text +
            " and count as such; leave them out or write them as NaN";
   return "";
@@ -254,11 +265,12 @@ somePositions (std::size_t size, const PositionOf& position_of, std::size_t max_
 Eigen::Vector3d
 localOrigin (std::size_t size, const PositionOf& position_of)
 {
-  constexpr std::size_t wanted = 8192;
-  Positions places = sampleByHash (size, position_of, wanted);
-  // If all points are at few places, the hash may take none of them.
+  constexpr std::size_t wanted = 8192; // places
+  Positions places = placesBySmallestHash (size, position_of, wanted);
+  // If all points are at few places, all hashes may be too large. Then all places
+  // count.
   if (places.empty())
-    places = sampleByHash (size, position_of, size + 1);
+    places = placesBySmallestHash (size, position_of, size + 1);
   return roundedMedian (places);
 }
 

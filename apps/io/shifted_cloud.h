@@ -22,34 +22,39 @@ namespace pcl_ops::apps {
 
 using XyzCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief The coordinates of a cloud in single precision, relative to a point near it.
- * Planes are searched in this cloud. */
+/** \brief The coordinates of a cloud in single precision, relative to a point near the
+ * cloud. Planes are searched in this cloud. */
 struct ShiftedCloud {
-  /** \brief All points of the file, also those with NaN, and the pose of the sensor,
-   * relative to \ref shift. */
+  /** \brief All points of the file, also those with NaN, and the pose of the sensor;
+   * both are relative to \ref shift. */
   XyzCloud::Ptr cloud;
-  /** \brief The origin of the cloud in the frame of the file. It is zero unless single
-   * precision would lose digits of the file, or a step is given. */
+  /** \brief What has to be added to the coordinates of \ref cloud to get those of the
+   * file: zero unless single precision would lose digits of the file, or a step is
+   * given
+   * (\ref shiftedCloudOf). */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 
 /** \brief Shifts a cloud by \ref localOrigin if single precision does not hold all its
- * coordinates.
+ * coordinates exactly.
  * \param[in] step if above 0, the cloud is shifted in any case, and the shift along
- * each axis is rounded to a multiple of \p step */
+ * each axis is rounded to a multiple of \p step [unit of the cloud] */
 ShiftedCloud
 shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
-/** \brief Returns why a cloud that can be read looks damaged, and the fix; empty if it
- * does not. A sample of ten or more finite points tells that:
- * - more than half of the points are at one place;
- * - more than 0.5 % are more than a thousand times as far away as the rest is wide;
- * - 1 % or more are at one place, and many more than at others, as missing readings. */
+/** \brief Returns why a cloud that can be read looks damaged, and the fix; empty if the
+ * cloud does not look so, or has less than ten finite points. It looks damaged if in a
+ * sample of its finite points
+ * - more than half of the points are at one place; or
+ * - more than 0.5 % of the points are outliers, more than a thousand times as far away
+ *   from the median as the other points are apart; or
+ * - 1 % or more of the points are at one place, as missing readings are, and these are
+ *   more than 16 times as many as the mean of all places. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 
-/** \brief Reads x, y and z of points of a cloud, which must have these fields, whatever
- * their number type. Keeps a reference to the cloud. */
+/** \brief Reads x, y and z of points of a cloud, which must have these fields, of any
+ * number type. Keeps a reference to the cloud. */
 class CoordinateReader {
 public:
   explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
@@ -91,17 +96,18 @@ using PositionOf = std::function<Eigen::Vector3d (std::size_t point)>;
 std::uint32_t
 hashOf (const Eigen::Vector3d& position);
 
-/** \brief Returns a sample of the finite points, evenly spread over their indices.
+/** \brief Returns a sample of the finite points, evenly spread over the indices of all
+ * points.
  * \param[in] size number of all points, also of those that are not finite
- * \param[in] max_sample largest size of the sample */
+ * \param[in] max_sample largest number of points in the sample */
 std::vector<Eigen::Vector3d>
 somePositions (std::size_t size, const PositionOf& position_of, std::size_t max_sample);
 
 /** \brief Returns a rounded position near most points: the median of a sample of
- * distinct points. It does not depend on their order. Neither outliers nor many points
- * at one place draw it away, which would cost the other points digits. Zero if no point
- * is finite.
- * \param[in] size number of all points; all are read */
+ * places. Outliers, or many points at one place, hardly change it, so the other points
+ * lose no digits relative to it. The position does not depend on the order of the
+ * points. Zero if no point is finite.
+ * \param[in] size number of all points; all of them are read */
 Eigen::Vector3d
 localOrigin (std::size_t size, const PositionOf& position_of);
 

@@ -25,8 +25,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The names of a coordinate: first that of the field, then those that surveyors
- * and ParaView use. */
+/** \brief The names that a column with a coordinate may have: first the name of the
+ * field, then the names that surveyors use, then that of ParaView. */
 using AxisNames = std::array<const char*, 5>;
 
 constexpr std::array<AxisNames, 3> axes = {
@@ -48,7 +48,8 @@ isName (const std::string& word)
          !numberType (pcl::PCLPointField::FLOAT64).parse (word, &ignored);
 }
 
-/** \brief A name in small letters, up to the first bracket, in which is a unit. */
+/** \brief Returns a name in lower case, without what is behind its first bracket: the
+ * unit. */
 std::string
 plainName (const std::string& name)
 {
@@ -57,16 +58,19 @@ plainName (const std::string& name)
   return boost::algorithm::to_lower_copy (plain, std::locale::classic());
 }
 
-/** \brief The column of a coordinate: the one called exactly axis[0]. Else it is looked
- * up by the \ref plainName of the columns: the first one called axis[0], else the first
- * one called axis[1], and so on. The end of \p names if there is none. */
+/** \brief Finds the name of the column of a coordinate. This is the name that equals
+ * the first axis name exactly. If there is none, it is the first name whose \ref
+ * plainName is the first axis name, else the first one whose plain name is the second
+ * axis name, and so on.
+ * \param[in] names of all columns
+ * \return the end of \p names if no column has the coordinate */
 Words::const_iterator
-findAxis (const Words& names, const AxisNames& axis)
+findAxis (const Words& names, const AxisNames& axis_names)
 {
-  auto found = std::find (names.begin(), names.end(), axis[0]);
-  for (std::size_t i = 0; i < axis.size() && found == names.end(); ++i)
+  auto found = std::find (names.begin(), names.end(), axis_names[0]);
+  for (std::size_t i = 0; i < axis_names.size() && found == names.end(); ++i)
     found = std::find_if (names.begin(), names.end(), [&] (const std::string& name) {
-      return plainName (name) == axis[i];
+      return plainName (name) == axis_names[i];
     });
   return found;
 }
@@ -86,8 +90,8 @@ allowedName (std::string name)
   return name == "_" ? "" : name;
 }
 
-/** \brief What separates the words of a line, for \ref splitWords: a semicolon if it
- * has one, else a comma, else blanks. */
+/** \brief Returns the separator of the words of a line, for \ref splitWords: a
+ * semicolon if the line has one, else a comma if it has one, else a space. */
 char
 separatorOf (const std::string& line)
 {
@@ -97,7 +101,7 @@ separatorOf (const std::string& line)
   return ' ';
 }
 
-/** \brief The words of a line, without blanks and quotes around them. */
+/** \brief Returns the words of a line, without blanks and quotes around them. */
 Words
 wordsOf (const std::string& line)
 {
@@ -109,8 +113,8 @@ wordsOf (const std::string& line)
   return words;
 }
 
-/** \brief A line divided at its quotes: parts of odd index are quoted. Empty if the
- * last quote is not closed. */
+/** \brief Returns a line divided at its quotes: the parts of odd index are in quotes.
+ * Empty if the last quote is not closed. */
 std::vector<std::string>
 quotedParts (const std::string& line)
 {
@@ -125,24 +129,24 @@ quotedParts (const std::string& line)
   return parts;
 }
 
-/** \brief Removes the quotes from a line, and puts underscores in place of separators
- * within them, which would divide a word. A line whose last quote is not closed stays.
- * \throws WorkError if a quoted number has a decimal comma, but commas separate words
- */
+/** \brief Removes the quotes from a line. Separators in quotes become underscores, as
+ * they do not divide a word. A line whose last quote is not closed does not change.
+ * \throws WorkError if a quoted number has a decimal comma, unless semicolons separate the
+ * words: then commas are decimal commas everywhere */
 void
 removeQuotes (const FileReader& reader, std::string& line)
 {
   std::vector<std::string> parts = quotedParts (line);
   if (parts.size() < 2)
     return;
-  std::string outside;
+  std::string unquoted_parts;
   for (std::size_t i = 0; i < parts.size(); i += 2)
-    outside += parts[i];
-  const char separator = separatorOf (outside);
-  // Characters that would divide a quoted word, or change the separator of the line.
-  const std::string replaced = separator == ';'   ? ";"
-                               : separator == ',' ? ",;"
-                                                  : ",; \t";
+    unquoted_parts += parts[i];
+  const char separator = separatorOf (unquoted_parts);
+  // Those that would divide a quoted word, or change the result of separatorOf.
+  const std::string replaced_characters = separator == ';'   ? ";"
+                                          : separator == ',' ? ",;"
+                                                             : ",; \t";
   for (std::size_t i = 1; i < parts.size(); i += 2) {
     const bool is_number =
         parts[i].find_first_not_of ("0123456789+-.,") == std::string::npos;
@@ -151,14 +155,14 @@ removeQuotes (const FileReader& reader, std::string& line)
       reader.failAtLine ("has '" + parts[i] +
                          "', a number with a decimal comma in place of a point");
     for (char& c : parts[i])
-      c = replaced.find (c) == std::string::npos ? c : '_';
+      c = replaced_characters.find (c) == std::string::npos ? c : '_';
   }
   line = boost::algorithm::join (parts, "");
 }
 
-/** \brief Whether the commas between the words of a line look like decimal commas: all
- * words are whole numbers, and one of several digits, behind the first word, begins
- * with a zero, as 05 in 3,05. */
+/** \brief Whether commas that divide a line into words look like decimal commas, as in
+ * 3,05,4,25,1,75: there are six words or more, all of them whole numbers, and a word
+ * other than the first one begins with a zero that another digit follows. */
 bool
 mayHaveDecimalCommas (const FileReader& reader)
 {
@@ -174,8 +178,8 @@ mayHaveDecimalCommas (const FileReader& reader)
   return has_leading_zero && reader.wordCount() >= min_words;
 }
 
-/** \brief Whether words can be the names of columns: one is a name, and the others are
- * names or empty. */
+/** \brief Whether words can be the names of columns: one or more of them are names, and
+ * all others are empty. */
 bool
 areNames (const Words& words)
 {
@@ -185,53 +189,57 @@ areNames (const Words& words)
          });
 }
 
-/** \brief The column of each coordinate by \ref findAxis, or the first three columns of
- * numbers where there are no names.
- * \param[in] are_words for each column, whether it has words
- * \throws WorkError where columns have names, but a coordinate has none */
+/** \brief Returns the indices of the columns with x, y and z: by \ref findAxis; if
+ * columns have no names, the first three columns of numbers.
+ * \param[in] names of all columns, or none
+ * \param[in] has_words for each column, whether it has words
+ * \throws WorkError if columns have names, but none is that of a coordinate */
 std::vector<std::size_t>
 columnsOfAxes (const std::string& file,
                const Words& names,
-               const std::vector<bool>& are_words)
+               const std::vector<bool>& has_words)
 {
   std::vector<std::size_t> columns;
   if (names.empty()) {
-    for (std::size_t i = 0; i < are_words.size() && columns.size() < axes.size(); ++i)
-      if (!are_words[i])
+    for (std::size_t i = 0; i < has_words.size() && columns.size() < axes.size(); ++i)
+      if (!has_words[i])
         columns.push_back (i);
     return columns;
   }
-  for (const auto& axis : axes) {
-    const auto found = findAxis (names, axis);
+  for (const AxisNames& axis_names : axes) {
+    const auto found = findAxis (names, axis_names);
     if (found == names.end())
       throw WorkError (
           file,
-          std::string ("has names of columns, but none is ") + axis[0] +
+          std::string ("has names of columns, but none is ") + axis_names[0] +
               "; call the coordinates x, y and z, or remove the line of names");
     columns.push_back (std::size_t (found - names.begin()));
   }
   return columns;
 }
 
-/** \brief The name of the field that each column becomes; empty if the column has
- * words. The coordinates are those of \ref columnsOfAxes. Other columns keep their
- * names if a field can have them and no other has; else column 4 becomes field_4, and
- * so on.
- * \throws WorkError where columns have names, but a coordinate has none */
+/** \brief Returns for each column the name of the field that it becomes; empty if the
+ * column has words. The fields x, y and z are the columns of \ref columnsOfAxes. Other
+ * columns keep their names if a field may have such a name and no field before has it;
+ * else the fourth column becomes field_4, and so on.
+ * \param[in] names, has_words as of \ref columnsOfAxes
+ * \throws WorkError as \ref columnsOfAxes */
 Words
 fieldNames (const std::string& file,
             const Words& names,
-            const std::vector<bool>& are_words)
+            const std::vector<bool>& has_words)
 {
-  Words fields (are_words.size());
+  Words fields (has_words.size());
   std::set<std::string> taken;
-  const std::vector<std::size_t> columns = columnsOfAxes (file, names, are_words);
+  const std::vector<std::size_t> columns = columnsOfAxes (file, names, has_words);
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    fields[columns[i]] = axes[i][0];
-    taken.insert (axes[i][0]);
+    const std::string coordinate = axes[i][0];
+    fields[columns[i]] = coordinate;
+    taken.insert (coordinate);
   }
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!fields[i].empty() || are_words[i])
+    const bool is_coordinate = !fields[i].empty();
+    if (is_coordinate || has_words[i])
       continue;
     std::string name = names.empty() ? "" : allowedName (names[i]);
     if (name.empty() || taken.count (name) > 0)
@@ -250,8 +258,8 @@ public:
   explicit TextReader (const std::string& file) : file_ (file), reader_ (file, "text")
   {
     reader_.skipByteOrderMark();
-    if (extensionOf (file) == ".xyzrgb")
-      comment_names_ = {"x", "y", "z", "r", "g", "b"}; // for 6 columns without names
+    if (extensionOf (file) == ".xyzrgb") // usual there, if no line or comment has names
+      comment_names_ = {"x", "y", "z", "r", "g", "b"};
   }
 
   pcl::PCLPointCloud2
@@ -259,20 +267,21 @@ public:
   {
     readHead();
     PointRows rows (reader_);
-    const Words names = fieldNames (file_, names_, are_words_);
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (names[i].empty())
+    const Words fields = fieldNames (file_, names_, has_words_);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (fields[i].empty())
         rows.skipColumn();
       else {
         reader_.number (i); // fails if it is a word
-        rows.addColumn (names[i], pcl::PCLPointField::FLOAT64);
+        rows.addColumn (fields[i], pcl::PCLPointField::FLOAT64);
       }
-    // Lines are about as long as the first.
-    const std::uint64_t expected = reader_.fileSize() / (line_.size() + 1) + 1;
-    rows.cloud.data.reserve (std::min (expected, promised_points_.value_or (expected)) *
-                             rows.cloud.point_step);
+    // Most lines are about as long as the first one.
+    const std::uint64_t expected_points = reader_.fileSize() / (line_.size() + 1) + 1;
+    rows.cloud.data.reserve (
+        std::min (expected_points, promised_points_.value_or (expected_points)) *
+        rows.cloud.point_step);
     do {
-      takeLine();
+      splitLine();
       rows.addPoint();
       if (rows.size() > promised_points_.value_or (rows.size()))
         reader_.failAtLine ("is more than its header promises");
@@ -284,8 +293,8 @@ public:
   }
 
 private:
-  /** \brief Goes on to the next line that is neither empty nor a comment. Notes
-   * comments before the first point that name columns.
+  /** \brief Goes on to the next line that is neither empty nor a comment. From comments
+   * before the first point it takes names of columns (\ref noteComment).
    * \return false at the end of the file */
   bool
   nextLine ()
@@ -306,22 +315,25 @@ private:
     return false;
   }
 
-  /** \brief Takes a comment for names of columns if x, y and z are among its words. */
+  /** \brief If the current line, a comment, has names for x, y and z, takes its words
+   * for the names of columns. */
   void
   noteComment ()
   {
     const std::size_t begin = line_.find_first_not_of ("#/ \t");
     const Words words = wordsOf (line_.substr (std::min (begin, line_.size())));
-    const auto has_name = [&] (const AxisNames& axis) {
-      return findAxis (words, axis) != words.end();
+    const auto is_named = [&] (const AxisNames& axis_names) {
+      return findAxis (words, axis_names) != words.end();
     };
-    if (std::all_of (axes.begin(), axes.end(), has_name))
+    if (std::all_of (axes.begin(), axes.end(), is_named))
       comment_names_ = words;
   }
 
-  /** \brief Has the reader divide the line into numbers and words. */
+  /** \brief Makes the current line also that of the reader, which divides it into
+   * words.
+   */
   void
-  takeLine ()
+  splitLine ()
   {
     if (separator_ == ';') // then commas are decimal commas
       std::replace (line_.begin(), line_.end(), ',', '.');
@@ -348,7 +360,7 @@ private:
                          "is a raster (ESRI grid); convert it to points, e.g. by "
                          "gdal_translate -of XYZ");
       separator_ = separatorOf (line_);
-      takeLine();
+      splitLine();
       findColumnsOfWords (words);
       if (is_point_count) {
         promised_points_ = reader_.parseCount ("its number of points", words[0]);
@@ -360,27 +372,29 @@ private:
     reader_.failEmpty();
   }
 
-  /** \brief Finds which columns have words, by the line that was taken.
+  /** \brief Finds by the reader's current line which columns have words.
    * \param[in] words of the line, without quotes
-   * \throws WorkError if it has words but fewer than three numbers, or, while columns
-   * have no names, a word such as 5abc that is neither a number nor a name */
+   * \throws WorkError if the line has words and fewer than three numbers, or, where no
+   * line before names the columns, a word such as 5abc that is neither a number nor a
+   * name */
   void
   findColumnsOfWords (const Words& words)
   {
-    are_words_.clear();
+    has_words_.clear();
     for (std::size_t i = 0; i < reader_.wordCount(); ++i)
-      are_words_.push_back (!reader_.isNumber (i));
-    const auto numbers = std::count (are_words_.begin(), are_words_.end(), false);
-    for (std::size_t i = 0; i < are_words_.size(); ++i) {
-      const bool can_be_word = !names_.empty() || isName (words[i]);
-      if (numbers < 3 || !can_be_word)
+      has_words_.push_back (!reader_.isNumber (i));
+    const auto number_count = std::count (has_words_.begin(), has_words_.end(), false);
+    for (std::size_t i = 0; i < has_words_.size(); ++i) {
+      const bool may_be_word = !names_.empty() || isName (words[i]);
+      if (number_count < 3 || !may_be_word)
         reader_.number (i); // fails if it is a word
     }
   }
 
-  /** \brief Compares the columns of the first point with their names. Uses the names in
-   * a comment if no line has names, and the comment has as many as there are columns.
-   * \throws WorkError if names in a line are not as many */
+  /** \brief Compares the number of columns of the first point with that of their names.
+   * If no line has names, takes those of a comment that has as many words as there are
+   * columns.
+   * \throws WorkError if a line has more or fewer names than there are columns */
   void
   applyNames ()
   {
@@ -397,16 +411,18 @@ private:
   FileReader reader_;
   /** \brief The current line without quotes. */
   std::string line_;
-  /** \brief The names of columns in a line of their own, and those in a comment or
-   * usual for the extension. */
-  Words names_, comment_names_;
-  /** \brief The number of points, where a line before them tells it. */
+  /** \brief The names of columns; empty if they have none. */
+  Words names_;
+  /** \brief Names of columns in a comment, else those that are usual for the extension;
+   * used if no line has names. */
+  Words comment_names_;
+  /** \brief The number of points, if a line before them tells it. */
   std::optional<std::uint64_t> promised_points_;
-  /** \brief For each column, whether it has words: it becomes no field. */
-  std::vector<bool> are_words_;
-  /** \brief Between the words of a line, as of \ref splitWords. */
+  /** \brief For each column, whether it has words: such a column becomes no field. */
+  std::vector<bool> has_words_;
+  /** \brief The separator of the words of a line (\ref splitWords). */
   char separator_ = ' ';
-  /** \brief Whether the line of the first point was reached. */
+  /** \brief Whether \ref nextLine has reached the first point. */
   bool has_points_ = false;
 };
 

@@ -18,6 +18,7 @@ namespace pcl_ops::apps {
 class Random {
 public:
   explicit Random (std::uint32_t seed) : generator_ (seed) {}
+  /** \brief For a seed of several numbers. */
   explicit Random (std::seed_seq&& seeds) : generator_ (seeds) {}
 
   /** \brief 32 random bits. */
@@ -27,14 +28,14 @@ public:
     return generator_();
   }
 
-  /** \brief Uniform integer from 0 to bound - 1, unbiased (Lemire 2019); bound 0 counts
-   * as 1. */
+  /** \brief Uniform integer from 0 to bound - 1, both included, without bias (Lemire
+   * 2019); bound 0 counts as 1. */
   std::uint32_t
   below (std::uint32_t bound)
   {
     if (bound < 2)
       return 0;
-    // 2^32 mod bound: as many values of the 32 bits are rejected.
+    // 2^32 mod bound: so many of the 2^32 values of the bits are rejected.
     const std::uint32_t rejected_below = (0u - bound) % bound;
     std::uint64_t product = 0;
     do
@@ -58,7 +59,9 @@ public:
     return lower + (upper - lower) * unit();
   }
 
-  /** \return uniform angle between the bounds [rad] */
+  /** \brief Uniform angle in [lower, upper).
+   * \param[in] lower_degrees, upper_degrees bounds [degrees]
+   * \return the angle [rad] */
   double
   angle (double lower_degrees, double upper_degrees)
   {
@@ -80,8 +83,8 @@ public:
     return radius * std::cos (2.0 * pi * unit());
   }
 
-  /** \brief Draws a uniform point in a box, z first. An edge of length 0 takes no
-   * random number. */
+  /** \brief Draws a uniform point in a box: first z, then y, then x. For an edge of
+   * length 0 no random number is drawn. */
   Eigen::Vector3d
   inBox (const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
   {

@@ -19,8 +19,9 @@ fraction (std::size_t part, std::size_t whole, double of_nothing)
                     : static_cast<double> (part) / static_cast<double> (whole);
 }
 
-/** \brief Returns the smallest value with at least this share of all values at or below
- * it; share 0.5 gives the (lower) median. NaN if there are no values. */
+/** \brief Returns the smallest value such that at least this share, 0 to 1, of all
+ * values are not larger; share 0.5 gives the (lower) median. NaN if there are no
+ * values. */
 template <typename Number>
 Number
 quantile (std::vector<Number> values, double share)
@@ -35,8 +36,9 @@ quantile (std::vector<Number> values, double share)
   return *wanted;
 }
 
-/** \brief Returns the \ref quantile of each coordinate of points, which are Eigen
- * vectors. */
+/** \brief Returns the vector whose coordinates are the \ref quantile of the coordinates
+ * of the points along each axis.
+ * \tparam Vector of Eigen, with a fixed size */
 template <typename Vector>
 Vector
 quantileOfEach (const std::vector<Vector>& points, double share)

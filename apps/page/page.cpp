@@ -16,9 +16,9 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Rounds positions to the lattice of a \ref PointGroup. */
+/** \brief Returns points as a group, rounded to the lattice of the group. */
 PointGroup
-onLattice (const SampledPoints& points)
+toGroup (const SampledPoints& points)
 {
   constexpr double max_steps = std::numeric_limits<std::uint16_t>::max();
   PointGroup group;
@@ -45,36 +45,40 @@ onLattice (const SampledPoints& points)
   return group;
 }
 
-/** \brief Writes three bytes as four letters, each for six bits (RFC 4648).
- * \param[in] bytes the first one in bits 16 to 23, the last one in the lowest bits */
+/** \brief Writes three bytes as four letters, each for six bits (base64, RFC 4648).
+ * \param[in] bytes the first byte in bits 16 to 23, the last one in bits 0 to 7 */
 void
 writeBase64 (std::uint32_t bytes, std::ostream& stream)
 {
   constexpr const char* digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::uint32_t six_bits = 63;
   char letters[4];
   for (int i = 0; i < 4; ++i)
-    letters[i] = digits[bytes >> (18 - 6 * i) & 63U];
+    letters[i] = digits[bytes >> (18 - 6 * i) & six_bits];
   stream.write (letters, sizeof letters);
 }
 
 /** \brief Writes the steps of each point along x, y and z as 16-bit numbers,
- * little-endian. */
+ * little-endian, in base64. */
 void
 writeSteps (const PointGroup& group, std::ostream& stream)
 {
-  // The low byte is the first one.
+  constexpr std::uint32_t low_byte = 255;
+  // In base64 the first byte of a number has the highest bits, so the bytes are
+  // swapped.
   const auto swapped = [] (std::uint16_t number) {
-    return std::uint32_t (number & 255U) << 8U | number >> 8U;
+    return (number & low_byte) << 8U | number >> 8U;
   };
   for (const auto& [x, y, z] : group.steps) {
     const std::uint32_t swapped_y = swapped (y);
     writeBase64 (swapped (x) << 8U | swapped_y >> 8U, stream);
-    writeBase64 ((swapped_y & 255U) << 16U | swapped (z), stream);
+    writeBase64 ((swapped_y & low_byte) << 16U | swapped (z), stream);
   }
 }
 
-/** \brief Writes what viewer.js has to know of the groups, a JSON list. */
+/** \brief Writes a JSON list with what viewer.js has to know of each group: the numbers
+ * of all points and of those on the page, and the lattice. */
 void
 writeGroups (const std::vector<PointGroup>& groups,
              const Eigen::Vector3d& shift,
@@ -100,7 +104,7 @@ toGroups (const std::vector<SampledPoints>& samples)
 {
   std::vector<PointGroup> groups;
   for (const SampledPoints& sample : samples)
-    groups.push_back (onLattice (sample));
+    groups.push_back (toGroup (sample));
   return groups;
 }
 
@@ -129,17 +133,18 @@ savePage (const std::string& file,
           const std::vector<PointGroup>& groups,
           const Eigen::Vector3d& shift)
 {
-  // In JSON only strings have a <; the page would end its script at a "</script>" in
-  // one.
+  // In JSON only strings have a <. A "</script>" in a string would end the script
+  // element of the page.
   const std::string safe_description =
       boost::replace_all_copy (description, "<", "\\u003c");
   const std::string page = viewer_html;
   writeFile (file, [&] (std::ostream& stream) {
-    // Before anything is written: imbue throws where the file is full.
+    // imbue comes before anything is written, as it throws where the file is full.
     stream.imbue (std::locale::classic());
     stream.precision (std::numeric_limits<double>::max_digits10);
     std::size_t written = 0;
-    // Writes what is in front of a placeholder of viewer.html, and skips that.
+    // Writes what is in front of a placeholder of viewer.html, and skips the
+    // placeholder.
     const auto write_up_to = [&] (const std::string& placeholder) {
       const std::size_t end = page.find (placeholder);
       stream << page.substr (written, end - written);
@@ -149,7 +154,7 @@ savePage (const std::string& file,
     stream << safe_description;
     write_up_to ("{{groups}}");
     writeGroups (groups, shift, stream);
-    write_up_to ("{{places}}");
+    write_up_to ("{{steps}}");
     for (const PointGroup& group : groups)
       writeSteps (group, stream);
     write_up_to ("{{viewer}}");

@@ -16,6 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/** \brief Returns the "planes" of the description. */
 Json
 coloredPlanes (const PlanePage& page)
 {
@@ -25,6 +26,7 @@ coloredPlanes (const PlanePage& page)
   return planes;
 }
 
+/** \brief Returns the "edges" of the description. */
 Json
 edgesOf (const PlanePage& page)
 {
@@ -40,7 +42,8 @@ edgesOf (const PlanePage& page)
 Json
 descriptionOf (const PlanePage& page)
 {
-  constexpr int width = 4, height = 3; // any: only the direction of the view is used
+  // Of the view only its direction is used, which does not depend on the size.
+  constexpr int width = 4, height = 3;
   const XyzCloud& cloud = *page.shifted.cloud;
   const View view = chooseView (cloud, page.planes, page.up, width, height);
   const Eigen::Vector3d up = page.up.cast<double>().normalized();
@@ -49,8 +52,8 @@ descriptionOf (const PlanePage& page)
   description["title"] = page.title;
   description["up"] = up;
   description["view"] = to_eye;
-  // Planes are shown from behind, too, where no position of a sensor is known: normals
-  // do not say then which side was seen.
+  // Where no position of a sensor is known, normals do not tell which side was seen:
+  // then planes are shown from behind, too.
   description["backs"] = !page.samples.empty() || !isSeenFromItsOrigin (cloud);
   description["planes"] = coloredPlanes (page);
   description["edges"] = edgesOf (page);

@@ -23,18 +23,20 @@ struct PlanePage {
   const ShiftedCloud& shifted;
   /** \brief In the frame of the file. */
   const std::vector<PlaneSegment>& planes;
-  /** \brief A \ref planeObject for each plane; its "id" decides on the color. */
+  /** \brief A \ref planeObject for each plane; the "id" decides on the color of the
+   * plane.
+   */
   nlohmann::ordered_json objects;
   /** \brief Direction against gravity, of any length but 0. */
   Eigen::Vector3f up;
-  /** \brief Only for a survey, which no single sensor has seen; else empty. The same
-   * points as in \ref shifted, but in double precision, in the frame of the file, and
-   * in groups: the points of each plane, then of no plane. Each group knows the full
-   * number of its points. They are shown instead of those of \ref shifted. */
+  /** \brief The points to show in place of those of \ref shifted, in the frame of the
+   * file: those of each plane, then those on no plane. Only for a survey, which no
+   * single sensor has seen; else empty. */
   std::vector<SampledPoints> samples = {};
 };
 
 /** \brief Returns \ref PlanePage::objects.
+ * \param[in] extents, kinds, ids one for each plane
  * \param[in] up direction against gravity, of any length but 0 */
 nlohmann::ordered_json
 planeObjects (const std::vector<PlaneSegment>& planes,
@@ -43,7 +45,7 @@ planeObjects (const std::vector<PlaneSegment>& planes,
               const std::vector<std::uint32_t>& ids,
               const Eigen::Vector3f& up);
 
-/** \brief Writes a page (\ref savePage) that begins with a view along the direction of
+/** \brief Writes a page (\ref savePage). It opens with a view along the direction of
  * \ref chooseView. */
 void
 savePlanePage (const std::string& file, const PlanePage& page);

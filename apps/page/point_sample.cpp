@@ -13,17 +13,17 @@ namespace pcl_ops::apps {
 PointSample::PointSample (const std::vector<std::size_t>& sizes, std::size_t max_points)
 : groups_ (sizes.size())
 {
-  constexpr std::size_t wanted_minimum = 100;
+  constexpr std::size_t wanted_quota = 100; // the least number of points of a group
   const std::size_t all = std::accumulate (sizes.begin(), sizes.end(), std::size_t (0));
   std::size_t min_quota = 0;
-  double share = 1.0;
+  double kept_share = 1.0; // of each group
   if (all > max_points) {
-    min_quota = std::min (wanted_minimum, max_points / (2 * sizes.size()));
-    share = double (max_points - min_quota * sizes.size()) / double (all);
+    min_quota = std::min (wanted_quota, max_points / (2 * sizes.size()));
+    kept_share = double (max_points - min_quota * sizes.size()) / double (all);
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const auto in_proportion =
-        static_cast<std::size_t> (std::floor (share * double (sizes[i])));
+        static_cast<std::size_t> (std::floor (kept_share * double (sizes[i])));
     groups_[i].quota = std::min (sizes[i], std::max (min_quota, in_proportion));
   }
 }
@@ -50,8 +50,8 @@ PointSample::keepFirst (Group& group)
 void
 PointSample::add (std::size_t group_index, const Eigen::Vector3d& position)
 {
-  // Points are dropped when there are twice as many as are kept, plus these: without
-  // them a small group would drop points often.
+  // A group drops points when it has this number more than twice its quota. Without
+  // this number a group with a small quota would drop points often.
   constexpr std::size_t further_points = 100;
   if (!position.allFinite())
     return;

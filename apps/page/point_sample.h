@@ -10,26 +10,30 @@
 
 namespace pcl_ops::apps {
 
-/** \brief All points of a plane, or of no plane, or a sample of them. */
+/** \brief The points of a group of \ref PointSample, or a sample of them. */
 struct SampledPoints {
-  /** \brief Number of finite points of the group; \ref positions has all or some. */
+  /** \brief Number of finite points of the group; \ref positions has all or some of
+   * them.
+   */
   std::size_t all_points = 0;
-  /** \brief In pseudo-random order: the first ones are an even sample. */
+  /** \brief In pseudo-random order, so that the first ones are an even sample. */
   std::vector<Eigen::Vector3d> positions;
 };
 
-/** \brief Samples any number of points without storing them all. If there are more than
- * the maximum, each group keeps a number of points in proportion to its size. The least
- * number that it keeps of a larger group is 100, or, with many groups, an equal part of
- * half of the maximum. The sample does not depend on the order of the points.
- * Non-finite points are left out. */
+/** \brief Samples any number of points, in groups such as planes, without storing them
+ * all. If all groups together have no more finite points than the maximum, they keep
+ * them all. Else each group keeps a number in proportion to its size, but not fewer
+ * than 100 points, or than max_points / (2 * number of groups) if this is less; a group
+ * that has fewer keeps them all. The sample does not depend on the order of the points.
+ * Points that are not finite are left out. */
 class PointSample {
 public:
   /** \param[in] sizes number of finite points of each group; at least one group
    * \param[in] max_points of all groups together */
   PointSample (const std::vector<std::size_t>& sizes, std::size_t max_points);
 
-  /** \param[in] group its index in the sizes */
+  /** \brief Adds a point to a group.
+   * \param[in] group index of the group in the sizes */
   void
   add (std::size_t group, const Eigen::Vector3d& position);
 
@@ -38,7 +42,8 @@ public:
   take ();
 
 private:
-  /** \brief A point and its hash, by which points are put in order. */
+  /** \brief A point and its hash (\ref hashOf), which decides on the order of points.
+   */
   struct HashedPoint {
     std::uint32_t hash;
     Eigen::Vector3d position;
@@ -49,17 +54,17 @@ private:
     std::size_t quota = 0;
     /** \brief Number of points that were added. */
     std::size_t all_points = 0;
-    /** \brief Those that may be kept, unsorted: the first ones in the order of \ref
-     * isBefore, and some more. */
+    /** \brief The points that may be kept, unsorted: the first ones in the order of
+     * \ref isBefore, as many as the quota, and some more. */
     std::vector<HashedPoint> points;
   };
 
-  /** \brief The order: by hash, then by coordinates. */
+  /** \brief The order of points: by hash, points of equal hash by coordinates. */
   static bool
   isBefore (const HashedPoint& a, const HashedPoint& b);
 
-  /** \brief Keeps as many points as the quota, the first ones in the order, unsorted.
-   * The group must have as many. */
+  /** \brief Drops all points of a group but the first ones in the order of \ref
+   * isBefore, as many as the quota. The group must have as many. */
   static void
   keepFirst (Group& group);
 

@@ -28,15 +28,18 @@ from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import ColorRGBA
 from visualization_msgs.msg import Marker, MarkerArray
 
-FLOAT32, UINT32 = 7, 6  # of PointField
+FLOAT32, UINT32 = 7, 6  # values of PointField.datatype
 
 
 def labelled_cloud(msg, points, labels):
-    """Returns a message with x, y, z and label of all points of msg, with its width and height."""
+    """Returns a message of the points of msg, in its width and height, with their labels.
+
+    labels: from Python, where 0 is the first plane and -1 no plane.
+    """
     rows = np.zeros(len(points), [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("label", "<u4")])
     for axis, coordinates in zip("xyz", points.T):
         rows[axis] = coordinates
-    rows["label"] = labels + 1  # Python counts planes from 0, and -1 is no plane
+    rows["label"] = labels + 1  # in the message 1 is the first plane and 0 no plane
     offsets = {name: rows.dtype.fields[name][1] for name in rows.dtype.names}
     fields = [PointField(name=name, offset=offset, count=1,
                          datatype=UINT32 if name == "label" else FLOAT32)
@@ -48,12 +51,12 @@ def labelled_cloud(msg, points, labels):
 
 
 def outline(msg, number, plane):
-    """Returns the hull of a plane, in a color by its number."""
+    """Returns the hull of a plane as a closed line, in a color by its number."""
     marker = Marker(header=msg.header, ns="planes", id=number, type=Marker.LINE_STRIP,
                     action=Marker.ADD)
     marker.pose.orientation.w = 1.0
     marker.scale.x = 0.02  # width of the line [m]
-    golden_ratio = 0.618  # multiples of it make hues that differ most
+    golden_ratio = 0.618  # successive multiples of it, modulo 1, are far from each other
     hue = number * golden_ratio % 1.0
     red, green, blue = colorsys.hsv_to_rgb(hue, 1.0, 1.0)
     marker.color = ColorRGBA(r=red, g=green, b=blue, a=1.0)
@@ -63,22 +66,24 @@ def outline(msg, number, plane):
 
 
 class PlaneNode(Node):
+    """Publishes the planes of each cloud that it receives."""
+
     def __init__(self):
         super().__init__("plane_node")
         self.declare_parameter("up", [0.0, 0.0, 1.0])
         self.declare_parameter("method", "ops")
         self.labelled = self.create_publisher(PointCloud2, "labelled", 1)
         self.planes = self.create_publisher(MarkerArray, "planes", 1)
-        self.create_subscription(PointCloud2, "points", self.hear, qos_profile_sensor_data)
+        self.create_subscription(PointCloud2, "points", self.publish_planes, qos_profile_sensor_data)
 
-    def hear(self, msg):
+    def publish_planes(self, msg):
         points = pcl_ops.from_message(msg).points
         labels, planes = np.zeros(0, np.int32), []
         if len(points):
             labels, planes = pcl_ops.segment(
                 points, self.get_parameter("method").value, up=self.get_parameter("up").value)
         self.labelled.publish(labelled_cloud(msg, points, labels))
-        # Removes the outlines of the cloud before.
+        # The first marker removes the outlines of the cloud before.
         markers = [Marker(header=msg.header, action=Marker.DELETEALL)]
         markers += [outline(msg, number, plane) for number, plane in enumerate(planes, 1)]
         self.planes.publish(MarkerArray(markers=markers))

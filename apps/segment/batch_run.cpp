@@ -29,27 +29,31 @@ namespace {
 
 /** \brief Returns the sensor pose of each cloud in one common frame; all identities
  * without --poses.
+ * \param[in] clouds number of clouds
  * \throws WorkError if the file has a different number of poses */
 std::vector<Eigen::Isometry3d>
 posesOf (const TrackOptions& options, std::size_t clouds)
 {
-  if (options.poses.empty())
+  if (options.poses_file.empty())
     return std::vector<Eigen::Isometry3d> (clouds, Eigen::Isometry3d::Identity());
-  std::vector<Eigen::Isometry3d> poses = loadPoses (options.poses);
+  std::vector<Eigen::Isometry3d> poses = loadPoses (options.poses_file);
   if (poses.size() != clouds)
-    throw WorkError (options.poses,
+    throw WorkError (options.poses_file,
                      "has " + std::to_string (poses.size()) + " poses for " +
                          std::to_string (clouds) +
                          " clouds; give one for each, in the order of their names");
-  if (!options.calibration.empty()) {
-    // From poses of the camera to those of the lidar, in the frame of the first lidar.
-    const Eigen::Isometry3d lidar_to_camera = loadCalibration (options.calibration);
+  if (!options.calibration_file.empty()) {
+    // The file has poses of the camera in the frame of its first pose. They become
+    // poses of the lidar in the frame of its first pose.
+    const Eigen::Isometry3d lidar_to_camera =
+        loadCalibration (options.calibration_file);
     for (Eigen::Isometry3d& pose : poses)
       pose = lidar_to_camera.inverse() * pose * lidar_to_camera;
   }
   return poses;
 }
 
+/** \brief By the extension: KITTI has its lidar scans in .bin files. */
 bool
 isScanOfKitti (const Task& task)
 {
@@ -63,6 +67,7 @@ struct Status {
   std::string problem = {};
   /** \brief The line to print on a cloud that is done. */
   std::string summary = {};
+  /** \brief Task::input of a cloud that is done, for its warnings. */
   std::string input = {};
   std::vector<ResultWarning> warnings = {};
 };
@@ -84,11 +89,11 @@ public:
     if (options.track.is_on && !batch.tasks.empty())
       poses_ = posesOf (options.track, batch.tasks.size());
     const bool has_uncalibrated_poses =
-        options.track.calibration.empty() && !options.track.poses.empty();
+        options.track.calibration_file.empty() && !options.track.poses_file.empty();
     common_frame_options_.track.has_camera_poses =
         has_uncalibrated_poses &&
         std::any_of (batch.tasks.begin(), batch.tasks.end(), isScanOfKitti) &&
-        lookLikeCameraOfKitti (options.track.poses, poses_);
+        lookLikeCameraOfKitti (options.track.poses_file, poses_);
   }
 
   int
@@ -120,20 +125,21 @@ public:
 private:
   /** \brief Gives the planes of a cloud their ids, once the statuses of all earlier
    * clouds are printed.
+   * \param[in] cloud index into Batch::tasks
    * \param[in] sensor as in \ref GiveIds. Planes are matched relative to it, as the
    * rotation error of a pose turns them about the sensor.
    * \throws Interrupted if \ref gives_up_ */
   void
-  giveIds (std::size_t i, const Eigen::Vector3d& sensor, Report& report)
+  giveIds (std::size_t cloud, const Eigen::Vector3d& sensor, Report& report)
   {
     std::unique_lock<std::mutex> lock (mutex_);
-    printed_changed_.wait (lock, [&] { return printed_ == i || gives_up_; });
+    printed_changed_.wait (lock, [&] { return printed_ == cloud || gives_up_; });
     if (gives_up_)
       throw Interrupted();
     const auto track = [&] (PlaneTracker& tracker, std::vector<PlaneSegment> planes) {
       for (PlaneSegment& plane : planes)
         plane.moveBy (-sensor);
-      return tracker.track (planes, poses_[i] * Eigen::Translation3d (sensor));
+      return tracker.track (planes, poses_[cloud] * Eigen::Translation3d (sensor));
     };
     report.ids = track (tracker_, report.detected.planes);
     if (options_.divides_into_pieces)
@@ -142,25 +148,25 @@ private:
   }
 
   /** \brief Estimates the up axis of single clouds from their planes, and returns the
-   * axes that were found, in the frame of the poses. Of a long sequence some clouds are
-   * used, evenly spread. */
+   * axes that were found, in the frame of the poses. Of a long sequence it uses a
+   * sample of clouds, evenly spread. */
   std::vector<UpAxis>
   upAxesOfClouds ()
   {
-    constexpr std::size_t max_used = 64; // enough for a majority
-    const std::size_t all = batch_.tasks.size();
-    const std::size_t used = std::min (all, max_used);
-    std::vector<std::optional<UpAxis>> found (used);
-    runInParallel (used, options_.jobs, [&] (std::size_t k) {
-      const std::size_t i = k * all / used;
+    constexpr std::size_t max_samples = 64; // enough to tell the axis of most clouds
+    const std::size_t clouds = batch_.tasks.size();
+    const std::size_t samples = std::min (clouds, max_samples);
+    std::vector<std::optional<UpAxis>> found (samples);
+    runInParallel (samples, options_.jobs, [&] (std::size_t sample) {
+      const std::size_t i = sample * clouds / samples;
       try {
         stopIfInterrupted();
         const FileCloud cloud = loadCloud (batch_.tasks[i].input);
         const ShiftedCloud shifted =
             shiftedCloudOf (cloud, voxelStepOf (options_.detector));
-        found[k] = findUpAxis (options_.detector, *shifted.cloud);
-        if (found[k])
-          found[k]->direction = poses_[i].rotation() * found[k]->direction;
+        found[sample] = findUpAxis (options_.detector, *shifted.cloud);
+        if (found[sample])
+          found[sample]->direction = poses_[i].rotation() * found[sample]->direction;
       }
       catch (const std::exception&) {
         // The error is reported when the cloud is segmented.
@@ -195,7 +201,7 @@ private:
   setCommonUp ()
   {
     DetectorOptions& detector = common_frame_options_.detector;
-    const bool has_poses = !options_.track.poses.empty();
+    const bool has_poses = !options_.track.poses_file.empty();
     if (detector.up_is_camera && has_poses)
       detector.up = upOfCamera().cast<float>();
     if (!detector.finds_up)
@@ -212,7 +218,8 @@ private:
       progress_.note (noteOnUp (common, axes.size(), has_poses), std::cout);
   }
 
-  /** \param[in] axes number of clouds that tell an up axis */
+  /** \brief Returns the line on the up axis for the standard output.
+   * \param[in] axes number of clouds that tell an up axis */
   static std::string
   noteOnUp (const std::optional<CommonUp>& common, std::size_t axes, bool has_poses)
   {
@@ -228,33 +235,33 @@ private:
 
   /** \brief Returns the options for one cloud, with the up axis in its frame. */
   SegmentOptions
-  optionsOf (std::size_t i) const
+  optionsOf (std::size_t cloud) const
   {
     SegmentOptions options = common_frame_options_;
     DetectorOptions& detector = options.detector;
     const Eigen::Vector3f default_up = Eigen::Vector3f::UnitZ();
-    if (!options.track.poses.empty() && !detector.finds_up)
-      detector.up = poses_[i].rotation().transpose().cast<float>() *
+    if (!options.track.poses_file.empty() && !detector.finds_up)
+      detector.up = poses_[cloud].rotation().transpose().cast<float>() *
                     detector.up.value_or (default_up);
     return options;
   }
 
   /** \brief Segments a cloud and returns how that ended. Exceptions become statuses. */
   Status
-  statusOf (std::size_t i)
+  statusOf (std::size_t cloud)
   {
-    const Task& task = batch_.tasks[i];
+    const Task& task = batch_.tasks[cloud];
     GiveIds give_ids;
     if (options_.track.is_on)
       give_ids = [&] (const Eigen::Vector3d& sensor, Report& report) {
-        giveIds (i, sensor, report);
+        giveIds (cloud, sensor, report);
       };
     try {
       stopIfInterrupted();
       const char* const fix =
           options_.jobs == 1 ? "give a smaller cloud" : "give fewer --jobs";
       const Report report = inMemory (task.input, fix, [&] {
-        return segmentCloud (optionsOf (i), task, give_ids, nullptr);
+        return segmentCloud (optionsOf (cloud), task, give_ids, nullptr);
       });
       return {Status::Done,
               report.damage.empty() ? "" : task.input + ": " + report.damage,
@@ -270,13 +277,13 @@ private:
     }
   }
 
-  /** \brief Stores the status of a cloud. Prints all statuses that now have no gap
-   * before them. */
+  /** \brief Stores the status of a cloud, and prints the statuses that waited for it:
+   * each is printed after those of all earlier clouds. */
   void
-  finish (std::size_t i, const Status& status)
+  finish (std::size_t cloud, const Status& status)
   {
     const std::lock_guard<std::mutex> lock (mutex_);
-    statuses_[i] = status;
+    statuses_[cloud] = status;
     for (; printed_ < statuses_.size() && statuses_[printed_]; ++printed_)
       print (*statuses_[printed_]);
     printed_changed_.notify_all();
@@ -284,6 +291,7 @@ private:
       progress_.step();
   }
 
+  /** \brief Prints a status, counts it, and keeps its warnings for the end. */
   void
   print (const Status& status)
   {
@@ -295,8 +303,7 @@ private:
       progress_.note (oneLine (status.summary), std::cout);
   }
 
-  /** \return the exit code of \ref runBatch
-   * \throws WorkError as \ref runBatch */
+  /** \brief Returns or throws what \ref runBatch does. */
   int
   conclude () const
   {
@@ -328,11 +335,12 @@ private:
   std::condition_variable printed_changed_;
   /** \brief Of each cloud, once it has ended. */
   std::vector<std::optional<Status>> statuses_;
-  /** \brief Number of clouds, from the first on, whose status is printed. */
+  /** \brief The statuses of this number of first clouds are printed. */
   std::size_t printed_ = 0;
-  /** \brief Whether a status could not be stored, so that \ref printed_ stays. */
+  /** \brief Whether a status could not be stored, so that \ref printed_ never passes
+   * it. */
   bool gives_up_ = false;
-  /** \brief Number of printed statuses by Status::end. */
+  /** \brief Number of printed statuses for each value of Status::end. */
   std::array<std::size_t, 3> counts_{};
   WarningLines warnings_;
 };

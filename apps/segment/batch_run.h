@@ -6,10 +6,10 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Segments the clouds of a batch, options.jobs at a time. It goes on after a
- * cloud that fails, and ends early if the user interrupts it, without a half-written
- * file. Lines are printed, and ids are given, in the order of the tasks: so both are
- * the same for any number of jobs.
+/** \brief Segments the clouds of a batch, options.jobs at a time. The others follow
+ * after one that fails. An interruption by the user ends the batch early, without a
+ * half-written file. Lines are printed and ids are given in the order of the tasks, so
+ * that both are the same for any number of jobs.
  * \return the exit code: ExitCode::work_failed if the only input failed
  * \throws WorkError if one of several inputs failed, or after an interruption */
 int

@@ -13,7 +13,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Prints contents of output files and warnings to the standard error. */
+/** \brief Prints Report::file_notes and the warnings to the standard error. */
 void
 printFileNotesAndWarnings (const Report& report)
 {
@@ -25,6 +25,7 @@ printFileNotesAndWarnings (const Report& report)
     warn (line);
 }
 
+/** \brief Segments one cloud and prints the result. \return the exit code */
 int
 segmentOne (const SegmentOptions& options)
 {
@@ -35,12 +36,13 @@ segmentOne (const SegmentOptions& options)
   const Report report = inMemory (nameOfInput (task), "give a smaller cloud", [&] {
     return segmentCloud (options, task, {}, progress ? &*progress : nullptr);
   });
-  progress.reset(); // no line of it follows
+  progress.reset(); // so that no progress line is printed after the results
   if (!report.damage.empty())
     warn (report.input + ": " + report.damage);
   if (!options.quiet)
     printFileNotesAndWarnings (report);
-  if (options.quiet || task.outputs.planes == standard_stream)
+  const bool stdout_is_json = task.outputs.planes == standard_stream;
+  if (options.quiet || stdout_is_json)
     return ExitCode::done;
   printTable (report, std::cout);
   if (!task.outputs.image.empty())
@@ -74,6 +76,6 @@ main (int argc, char** argv)
   noteInterruptions();
   const int code = runProgram (program_name, [&] { return segment (argc, argv); });
   if (code != ExitCode::done)
-    endAsInterrupted();
+    endAsInterrupted(); // returns if no signal interrupted the program
   return code;
 }

@@ -28,7 +28,7 @@ constexpr const char* summary =
 /** \brief Placeholder for the name of the input in output names of a batch. */
 constexpr const char* name_placeholder = "{}";
 
-constexpr const char* in_and_out =
+constexpr const char* help_on_arguments =
     "  INPUT       .pcd, .ply, .las (.laz by LASzip), .ptx, .npy, .bin, text; - for\n"
     "              one piped in; with --output-dir several, folders, 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
@@ -47,7 +47,8 @@ struct OutputOption {
   std::vector<std::string> extensions;
 };
 
-/** \brief All outputs except OUTPUT, whose formats depend on the build. */
+/** \brief All outputs except the labeled cloud (OUTPUT): \ref checkOutputs has its
+ * extensions, as LAZ depends on the build. */
 const OutputOption output_options[] = {
     {"planes", &Outputs::planes, {".json", ".csv", ".geojson", ".gpkg"}},
     {"image", &Outputs::image, {".png"}},
@@ -86,11 +87,11 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   Outputs& outputs = options.outputs;
   line.beginGroup ("Further outputs");
   declareMap (line, options.map);
-  declareMeter (line, options.of_plan.meter);
+  declareMeter (line, options.plan_parameters.meter);
   line.add ("keep-color", options.keeps_color).help ("keep the input's rgb in OUTPUT");
   line.add ("distances", options.has_distances)
       .help ("add each point's signed distance to its plane");
-  line.add ("piece-gap R", options.of_pieces.max_gap, from (1))
+  line.add ("piece-gap R", options.piece_parameters.max_gap, from (1))
       .help ("widest gap in one of --pieces, in spacings of its points (8)");
   line.add ("regularize", options.regularizes)
       .help ("make nearly parallel, orthogonal and coplanar planes exactly so");
@@ -101,7 +102,8 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("floor-plan FILE", outputs.floor_plan)
       .help ("write a floor plan: .dxf, .svg, .geojson, .gpkg (also --plan)")
       .onceCalled ("plan");
-  line.add ("plan-height M", options.of_plan.cut_height, from (-1000).upTo (1000))
+  line.add (
+          "plan-height M", options.plan_parameters.cut_height, from (-1000).upTo (1000))
       .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
   line.add ("rest FILE", outputs.rest)
       .help ("write the points on no plane: .pcd or .ply");
@@ -119,10 +121,10 @@ declareTracking (CommandLine& line, TrackOptions& options)
   line.beginGroup ("Clouds in sequence, with --output-dir");
   line.add ("track", options.is_on)
       .help ("label and id of a plane are the same in all INPUTs");
-  line.add ("poses FILE", options.poses)
+  line.add ("poses FILE", options.poses_file)
       .help ("where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" or the "
              "12 numbers of KITTI for each INPUT (it hardly moves)");
-  line.add ("calib FILE", options.calibration)
+  line.add ("calib FILE", options.calibration_file)
       .help ("KITTI's calib.txt, as its poses are those of a camera");
   line.add ("rotation-error DEG",
             [&options] (const std::string& text) {
@@ -134,7 +136,8 @@ declareTracking (CommandLine& line, TrackOptions& options)
       .help ("how far a move from INPUT to INPUT is off (0.05)");
 }
 
-/** \brief Stores the arguments: INPUT and OUTPUT, or inputs only with --output-dir. */
+/** \brief Stores the arguments: INPUT and, if given, OUTPUT; with --output-dir all are
+ * inputs. */
 void
 storeArguments (const std::vector<std::string>& arguments, SegmentOptions& options)
 {
@@ -158,9 +161,10 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
 /** \brief An option that has an effect only together with others. */
 struct DependentOption {
   std::string name;
+  /** \brief Whether one of the others is given. */
   bool has_effect;
-  /** \brief What the option is about, and the fix, for messages. */
-  std::string subject;
+  /** \brief End of the message: the other options, and what the user can do. */
+  std::string others_and_fix;
 };
 
 /** \brief Throws UsageError for options that have no effect without other options. */
@@ -178,7 +182,7 @@ checkHaveEffect (const CommandLine& line, const SegmentOptions& options)
       {"piece-gap", options.divides_into_pieces, "--pieces; give it, too"},
       {"plan-height", !outputs.floor_plan.empty(), "--floor-plan; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
-      {"calib", !options.track.poses.empty(), "--poses; give it, too"},
+      {"calib", !options.track.poses_file.empty(), "--poses; give it, too"},
       {"rotation-error", is_tracked, "--track; give it, too"},
       {"translation-error", is_tracked, "--track; give it, too"},
       {"track", is_batch, "several inputs; give --output-dir, too"},
@@ -195,7 +199,7 @@ checkHaveEffect (const CommandLine& line, const SegmentOptions& options)
        "extension"}};
   for (const DependentOption& option : dependent_options)
     if (line.isGiven (option.name) && !option.has_effect)
-      throw UsageError ("--" + option.name, "is about " + option.subject);
+      throw UsageError ("--" + option.name, "is about " + option.others_and_fix);
 }
 
 /** \brief Throws UsageError for outputs with unknown extensions, and for --quiet
@@ -245,23 +249,23 @@ checkBatch (const SegmentOptions& options)
 
 /** \brief A file or folder that a task writes. */
 struct TaskOutput {
-  /** \brief As given, for messages. */
+  /** \brief Name in messages, relative or absolute as in Task::outputs. */
   std::string name;
   const Task* task;
 };
 
-/** \brief Outputs by absolute name. */
+/** \brief Outputs by \ref resolvedName. */
 using OutputsByPath = std::map<std::string, TaskOutput>;
 
-/** \brief Adds an output. \throws UsageError if one has the same absolute name */
+/** \brief Adds an output. \throws UsageError if there is one of the same path */
 void
 addOutput (const std::string& name, const Task& task, OutputsByPath& outputs)
 {
-  const auto [known, is_new] =
+  const auto [entry, is_new] =
       outputs.emplace (resolvedName (name), TaskOutput{name, &task});
   if (is_new)
     return;
-  const Task* const first_task = known->second.task;
+  const Task* const first_task = entry->second.task;
   if (first_task == &task)
     throw UsageError (name, "is the name of two outputs; give each its own");
   throw UsageError (first_task->input + " and " + task.input,
@@ -282,7 +286,8 @@ struct AllOutputs {
 };
 
 /** \brief Collects the outputs of all tasks.
- * \param[in] fix end of messages on an output that would overwrite an input
+ * \param[in] fix what the user can do about an output that would overwrite an input:
+ * the end of messages on it
  * \throws UsageError for two outputs of one name, or an output that is the input of its
  * own task */
 AllOutputs
@@ -302,13 +307,14 @@ outputsOf (const std::vector<Task>& tasks, const std::string& fix)
 }
 
 /** \brief Checks the names of all outputs.
- * \param[in] poses file of poses, which counts as an input; empty: no poses
- * \param[in] fix end of messages on an output that would overwrite an input
+ * \param[in] poses_file counts as an input; empty: no poses
+ * \param[in] fix what the user can do about an output that would overwrite an input:
+ * the end of messages on it
  * \throws UsageError if an output would overwrite another output or an input, or if the
  * folder of --planes-dir has an input, or an output that is named as a plane file */
 void
 checkClashes (const std::vector<Task>& tasks,
-              const std::string& poses,
+              const std::string& poses_file,
               const std::string& fix)
 {
   const AllOutputs outputs = outputsOf (tasks, fix);
@@ -317,26 +323,28 @@ checkClashes (const std::vector<Task>& tasks,
       throw UsageError (output.name,
                         "has the name of a plane in --planes-dir; give it another name "
                         "or folder");
-  const auto on_poses = outputs.files.find (resolvedName (poses));
-  if (on_poses != outputs.files.end())
-    throw UsageError (on_poses->second.name, "is the file of --poses, too; " + fix);
+  const auto output_over_poses = outputs.files.find (resolvedName (poses_file));
+  if (output_over_poses != outputs.files.end())
+    throw UsageError (output_over_poses->second.name,
+                      "is the file of --poses, too; " + fix);
   for (const Task& task : tasks) {
     const std::string input = resolvedName (task.input);
-    const auto on_input = outputs.files.find (input);
-    if (on_input != outputs.files.end())
-      throw UsageError (on_input->second.name, "is an input, too; " + fix);
+    const auto output_over_input = outputs.files.find (input);
+    if (output_over_input != outputs.files.end())
+      throw UsageError (output_over_input->second.name, "is an input, too; " + fix);
     if (outputs.isInFolder (input))
       throw UsageError ("--planes-dir",
                         "the input " + task.input + " lies in it; give another folder");
   }
 }
 
-/** \brief Returns the task of one input of a batch, with its name in all outputs. */
+/** \brief Returns the task of one input of a batch. In the names of its outputs, the
+ * name of the input replaces {}. */
 Task
 batchTask (const SegmentOptions& options, const std::string& input)
 {
   const std::string name = fs::path (input).stem().string();
-  const auto output = [&] (std::string pattern) {
+  const auto output_of = [&] (std::string pattern) {
     boost::replace_all (pattern, name_placeholder, name);
     return pattern.empty() ? "" : (fs::path (options.output_dir) / pattern).string();
   };
@@ -345,11 +353,11 @@ batchTask (const SegmentOptions& options, const std::string& input)
   std::string extension = options.cloudExtension();
   if (isLasName (input) && options.format.empty())
     extension = extensionOf (input); // .laz stays .laz
-  task.outputs.cloud = output ("{}" + extension);
+  task.outputs.cloud = output_of (name_placeholder + extension);
   for (const OutputOption& option : output_options)
-    task.outputs.*option.output = output (given.*option.output);
+    task.outputs.*option.output = output_of (given.*option.output);
   if (given.planes.empty())
-    task.outputs.planes = output ("{}.json");
+    task.outputs.planes = output_of (name_placeholder + std::string (".json"));
   return task;
 }
 
@@ -358,17 +366,17 @@ batchTask (const SegmentOptions& options, const std::string& input)
 std::vector<std::string>
 Outputs::files() const
 {
-  std::vector<std::string> named;
+  std::vector<std::string> files;
   if (!cloud.empty())
-    named.push_back (cloud);
+    files.push_back (cloud);
   for (const OutputOption& option : output_options)
     if (const std::string& file = this->*option.output;
         !file.empty() && file != standard_stream && !option.extensions.empty())
-      named.push_back (file);
+      files.push_back (file);
   if (!trace.empty())
     for (const std::string& file : stageFiles())
-      named.push_back ((fs::path (trace) / file).string());
-  return named;
+      files.push_back ((fs::path (trace) / file).string());
+  return files;
 }
 
 bool
@@ -378,7 +386,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   CommandLine line (program_name, summary, PCL_OPS_VERSION);
   line.setUsage (
       {"INPUT [OUTPUT.pcd] [options]", "INPUT... --output-dir DIR [options]"},
-      in_and_out);
+      help_on_arguments);
   const auto store_argument = [&] (const std::string& text) {
     const bool is_output = arguments.size() == 1 && !options.isBatch();
     requireText (is_output ? "OUTPUT" : "INPUT", text);
@@ -432,7 +440,7 @@ batchOf (const SegmentOptions& options)
   batch.problems = std::move (inputs.problems);
   for (const std::string& input : inputs.files)
     batch.tasks.push_back (batchTask (options, input));
-  checkClashes (batch.tasks, options.track.poses, "give another --output-dir");
+  checkClashes (batch.tasks, options.track.poses_file, "give another --output-dir");
   if (!batch.tasks.empty())
     makeFolder (options.output_dir);
   return batch;

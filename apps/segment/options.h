@@ -14,7 +14,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Names of the output files for one cloud; empty if not asked for. */
+/** \brief Names of the output files and folders for one cloud; empty if not asked for.
+ */
 struct Outputs {
   /** \brief The labeled cloud. */
   std::string cloud;
@@ -29,6 +30,7 @@ struct Outputs {
   std::string mesh;
   /** \brief Edges and corners, where planes meet. */
   std::string edges;
+  /** \brief The floor plan. */
   std::string floor_plan;
   /** \brief The points on no plane. */
   std::string rest;
@@ -47,23 +49,25 @@ struct Outputs {
 struct TrackOptions {
   bool is_on = false;
   /** \brief A file of sensor poses; empty: all poses are the identity. */
-  std::string poses;
+  std::string poses_file;
   /** \brief A calib.txt of KITTI, which converts poses of its camera to poses of its
    * lidar; empty: the poses are used as they are. */
-  std::string calibration;
-  /** \brief Whether \ref poses look like those of KITTI's camera but are used as those
-   * of a lidar. */
+  std::string calibration_file;
+  /** \brief Whether \ref poses_file looks like poses of KITTI's camera, but is used as
+   * poses of a lidar. */
   bool has_camera_poses = false;
   PlaneMatchingParameters matching;
 };
 
+/** \brief All options of a command line. */
 struct SegmentOptions {
-  /** \brief As given: a file or "-"; with \ref output_dir files, folders and patterns.
-   */
+  /** \brief Without \ref output_dir one file, or "-" for the standard input; with it
+   * files, folders and patterns. */
   std::vector<std::string> inputs;
   /** \brief Folder for the outputs of several inputs; empty for one input. */
   std::string output_dir;
-  /** \brief With \ref output_dir, {} stands for the name of each input. */
+  /** \brief Outputs as given. With \ref output_dir, {} in their names stands for the
+   * name of each input. */
   Outputs outputs;
   /** \brief Name of the detector (\ref Method). */
   std::string method = "ops";
@@ -71,18 +75,21 @@ struct SegmentOptions {
   std::string hull = "convex";
   /** \brief Whether each connected piece of a plane has a label of its own. */
   bool divides_into_pieces = false;
-  PlanePiecesParameters of_pieces;
-  FloorPlanParameters of_plan;
-  /** \brief Whether --meter was given, even as 1, or a LAS file has another unit. */
+  /** \brief For \ref divides_into_pieces. */
+  PlanePiecesParameters piece_parameters;
+  FloorPlanParameters plan_parameters;
+  /** \brief Whether --meter was given, even as 1, or a LAS file names a unit other than
+   * the meter. */
   bool has_meter = false;
-  /** \brief Whether to make nearly parallel, orthogonal, coplanar planes exactly so. */
+  /** \brief Whether to make nearly parallel, orthogonal or coplanar planes exactly so.
+   */
   bool regularizes = false;
   /** \brief Which planes to keep. */
   PlaneChoice choice;
   MapOptions map;
   DetectorOptions detector;
   TrackOptions track;
-  /** \brief Number of inputs to work on at a time; 0: one for each processor. */
+  /** \brief Number of inputs to segment at a time; 0: one for each processor. */
   unsigned jobs = 1;
   /** \brief Whether OUTPUT has the colors of the input instead of those of planes. */
   bool keeps_color = false;
@@ -90,8 +97,8 @@ struct SegmentOptions {
   bool has_distances = false;
   /** \brief Whether to print no table and no notes. */
   bool quiet = false;
-  /** \brief Of clouds that the program names itself: "pcd" or "ply"; empty if --format
-   * is not given. */
+  /** \brief Format of the clouds that the program names itself, in \ref output_dir and
+   * Outputs::planes_dir: "pcd" or "ply"; empty if --format is not given. */
   std::string format;
 
   /** \brief Returns the extension of the clouds that the program names itself. */

@@ -51,9 +51,11 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
   return part;
 }
 
-/** \brief Divides an outline into triangles, as indices of the corners of all its
- * rings. Without pcl_ops_surface, or if that fails, returns the outer ring as one face.
- * \param[in] center a point on the plane */
+/** \brief Divides an outline into triangles. Without pcl_ops_surface, or if that fails,
+ * returns the outer ring as one face.
+ * \param[in] center a point on the plane
+ * \param[in] rings the outer ring first
+ * \return faces as indices of corners, counted over all rings in their order */
 std::vector<pcl::Indices>
 facesOf ([[maybe_unused]] const PlaneSegment& plane,
          [[maybe_unused]] const Eigen::Vector3d& center,
@@ -78,14 +80,14 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane,
   return faces;
 }
 
-/** \brief Returns edges as lines. Points are the corners first, then the ends of edges
- * that are not at a corner. */
+/** \brief Returns edges as lines. PolyData::points has the corners first, then the ends
+ * of edges that are not at a corner. */
 PolyData
 toLines (const PlaneEdges& found)
 {
   constexpr bool are_lines = true, is_double = true;
   PolyData lines{are_lines, is_double};
-  lines.corners = found.corners.size();
+  lines.corner_count = found.corners.size();
   for (const PlaneCorner& corner : found.corners)
     lines.points.push_back (corner.position);
   for (const PlaneEdge& edge : found.edges) {
@@ -93,9 +95,9 @@ toLines (const PlaneEdges& found)
     for (const Eigen::Vector3d& end : {edge.from, edge.to}) {
       // An end that was moved to a corner is exactly equal to it.
       std::size_t corner = 0;
-      while (corner < lines.corners && lines.points[corner] != end)
+      while (corner < lines.corner_count && lines.points[corner] != end)
         ++corner;
-      const bool is_at_corner = corner < lines.corners;
+      const bool is_at_corner = corner < lines.corner_count;
       line.push_back (is_at_corner ? corner : lines.points.size());
       if (!is_at_corner)
         lines.points.push_back (end);
@@ -122,7 +124,7 @@ toJson (const PlaneEdges& found)
   return jsonText (json);
 }
 
-/** \brief Returns the signed distance of each point to its plane [m], positive on the
+/** \brief Returns the signed distance of each point to its plane, positive on the
  * side that the normal points to; NaN for points on no plane.
  * \param[in] planes in the frame of the file */
 std::vector<float>
@@ -139,7 +141,7 @@ distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
 }
 
 /** \brief Writes the labeled cloud.
- * \param[in] labels of all points
+ * \param[in] labels label of each point, 0 on no plane
  * \param[in] plane_ids as Report::planeIdsOfPieces */
 void
 saveLabeled (const std::string& file,
@@ -149,14 +151,14 @@ saveLabeled (const std::string& file,
              const std::vector<std::uint32_t>& plane_ids,
              const SegmentOptions& options)
 {
-  const std::vector<std::uint32_t> plane_id_of_points =
+  const std::vector<std::uint32_t> plane_id_of_point =
       plane_ids.empty() ? plane_ids : labelsOf (planes, cloud.size(), plane_ids);
   const std::vector<float> distances =
       options.has_distances ? distancesOf (cloud, planes) : std::vector<float>();
   if (isLasName (file))
-    return saveLabeledLas (file, *cloud.las, labels, distances, plane_id_of_points);
+    return saveLabeledLas (file, *cloud.las, labels, distances, plane_id_of_point);
   saveLabelledCloud (
-      file, cloud, labels, distances, options.keeps_color, plane_id_of_points);
+      file, cloud, labels, distances, options.keeps_color, plane_id_of_point);
 }
 
 std::string
@@ -166,6 +168,7 @@ counted (std::size_t number, const std::string& noun)
 }
 
 /** \brief Writes the finite points that are on no plane.
+ * \param[in] labels label of each point, 0 on no plane
  * \return a description of the contents for messages */
 std::string
 saveRest (const std::string& file,
@@ -181,9 +184,9 @@ saveRest (const std::string& file,
   return counted (rest.size(), "point") + " on no plane";
 }
 
-/** \brief Writes the points of each plane as plane_001_horizontal.pcd and so on, by
- * ids, and removes plane files of earlier runs. The folder does not change until all
- * files are written.
+/** \brief Writes the points of each plane as plane_001_horizontal.pcd and so on, where
+ * 1 is the id of the plane, and removes plane files of earlier runs. The folder does
+ * not change until all files are written.
  * \return a description of the contents for messages */
 std::string
 savePlaneClouds (const std::string& folder,
@@ -216,20 +219,20 @@ saveMesh (const std::string& file,
   constexpr bool are_lines = false;
   PolyData mesh{are_lines, is_double};
   std::size_t outlines = 0;
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const Rings rings = report.extents[p].rings();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Rings rings = report.extents[i].rings();
     if (rings.empty())
       continue;
     ++outlines;
     const pcl::index_t first_corner = mesh.points.size();
-    for (pcl::Indices& face : facesOf (planes[p], report.extents[p].center, rings)) {
+    for (pcl::Indices& face : facesOf (planes[i], report.extents[i].center, rings)) {
       for (pcl::index_t& corner : face)
         corner += first_corner;
       mesh.cells.push_back (face);
     }
     for (const Ring& ring : rings)
       mesh.points.insert (mesh.points.end(), ring.begin(), ring.end());
-    mesh.colors.resize (mesh.points.size(), colorOfLabel (report.ids[p]));
+    mesh.colors.resize (mesh.points.size(), colorOfLabel (report.ids[i]));
   }
   savePolyData (file, cloud, std::move (mesh));
   return counted (outlines, "outline");
@@ -277,17 +280,18 @@ saveFloorPlan (const std::string& file,
 {
   const FloorPlan& plan = report.plan.value();
   const std::string title = fs::path (report.input).filename().string();
-  savePlan (file, plan, report.ids, title, options.map.crs, options.of_plan.meter);
+  savePlan (
+      file, plan, report.ids, title, options.map.crs, options.plan_parameters.meter);
   return contentOf (plan);
 }
 
 /** \brief Writes the labeled cloud, the picture and the page for a browser. */
 void
-saveColored (const SegmentOptions& options,
-             const Outputs& outputs,
-             const FileCloud& cloud,
-             const ShiftedCloud& shifted,
-             const Report& report)
+saveCloudPictureAndPage (const SegmentOptions& options,
+                         const Outputs& outputs,
+                         const FileCloud& cloud,
+                         const ShiftedCloud& shifted,
+                         const Report& report)
 {
   const Detected& detected = report.detected;
   const std::vector<PlaneSegment>& planes = detected.planes;
@@ -315,14 +319,15 @@ saveColored (const SegmentOptions& options,
          detected.up});
 }
 
-/** \brief Writes outputs whose contents the table does not show.
- * \return a line for each with its contents */
+/** \brief Writes the outputs whose contents the table does not show: all but those of
+ * \ref saveCloudPictureAndPage and the list of planes.
+ * \return a line with the contents of each output */
 std::vector<std::string>
-saveNoted (const SegmentOptions& options,
-           const Outputs& outputs,
-           const FileCloud& cloud,
-           const ShiftedCloud& shifted,
-           const Report& report)
+saveFilesWithNotes (const SegmentOptions& options,
+                    const Outputs& outputs,
+                    const FileCloud& cloud,
+                    const ShiftedCloud& shifted,
+                    const Report& report)
 {
   const Detected& detected = report.detected;
   const std::vector<PlaneSegment>& planes = detected.planes;
@@ -341,7 +346,7 @@ saveNoted (const SegmentOptions& options,
                      shifted,
                      report,
                      options.map.crs,
-                     options.of_plan.meter));
+                     options.plan_parameters.meter));
   if (!outputs.floor_plan.empty())
     note (outputs.floor_plan, saveFloorPlan (outputs.floor_plan, report, options));
   if (!outputs.rest.empty())
@@ -382,8 +387,9 @@ saveOutputs (const SegmentOptions& options,
              const ShiftedCloud& shifted,
              const Report& report)
 {
-  saveColored (options, outputs, cloud, shifted, report);
-  std::vector<std::string> notes = saveNoted (options, outputs, cloud, shifted, report);
+  saveCloudPictureAndPage (options, outputs, cloud, shifted, report);
+  std::vector<std::string> notes =
+      saveFilesWithNotes (options, outputs, cloud, shifted, report);
   // The list of planes comes last, so that a pipe gets its JSON when all files exist.
   if (outputs.planes.empty())
     return notes;

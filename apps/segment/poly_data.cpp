@@ -84,14 +84,14 @@ writeObj (const PolyData& data, std::ostream& stream)
   }
 }
 
-/** \brief Writes a section of a VTK file: number of cells, count of all integers, then
- * the cells. */
+/** \brief Writes a section of a VTK file. Its header has the number of cells and the
+ * number of integers in the section, each line a cell: its size and its indices. */
 void
 writeVtkSection (const char* kind,
                  const std::vector<pcl::Indices>& cells,
                  std::ostream& stream)
 {
-  std::size_t integers = cells.size();
+  std::size_t integers = cells.size(); // the sizes
   for (const pcl::Indices& cell : cells)
     integers += cell.size();
   stream << kind << ' ' << cells.size() << ' ' << integers << '\n';
@@ -110,7 +110,7 @@ writeVtk (const PolyData& data, std::ostream& stream)
     stream << point.format (in_a_row) << '\n';
   if (data.are_lines) {
     std::vector<pcl::Indices> vertices;
-    for (std::size_t i = 0; i < data.corners; ++i)
+    for (std::size_t i = 0; i < data.corner_count; ++i)
       vertices.push_back ({static_cast<pcl::index_t> (i)});
     writeVtkSection ("VERTICES", vertices, stream);
     writeVtkSection ("LINES", data.cells, stream);

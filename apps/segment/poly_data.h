@@ -17,6 +17,7 @@ namespace pcl_ops::apps {
 
 /** \brief A mesh of faces with a color per point, or lines without color. */
 struct PolyData {
+  /** \brief Whether \ref cells are lines instead of faces. */
   bool are_lines;
   /** \brief Whether coordinates are written as doubles. PCL's point types cannot read
    * these, but single precision loses digits far from zero. */
@@ -24,19 +25,19 @@ struct PolyData {
   std::vector<Eigen::Vector3d> points = {};
   /** \brief Of each point; empty for lines. */
   std::vector<pcl::RGB> colors = {};
-  /** \brief The faces or lines, as indices of points. */
+  /** \brief The faces or lines, as indices into \ref points. */
   std::vector<pcl::Indices> cells = {};
   /** \brief For lines: ids of the two planes that meet in each line. */
   std::vector<pcl::Indices> planes_of_lines = {};
-  /** \brief For lines: how many of the first points are corners, which a .vtk shows as
-   * vertices. */
-  std::size_t corners = 0;
+  /** \brief For lines: number of corners, which come first in \ref points. A .vtk has
+   * a vertex for each. */
+  std::size_t corner_count = 0;
 };
 
 /** \brief Writes a .ply, .vtk or .obj in text. A .ply or .obj is in the frame of the
  * input file. A .vtk is moved by the pose of the sensor, as pcl_viewer moves clouds by
  * that pose but not meshes.
- * \param[in] cloud the input, for the pose
+ * \param[in] cloud the input, which has the pose of the sensor
  * \throws WorkError if the file cannot be written */
 void
 savePolyData (const std::string& file, const FileCloud& cloud, PolyData data);

@@ -16,6 +16,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Returns 0 if \p whole is 0. */
 double
 percentage (std::size_t part, std::size_t whole)
 {
@@ -23,6 +24,8 @@ percentage (std::size_t part, std::size_t whole)
   return percent * fraction (part, whole, 0.0);
 }
 
+/** \brief Prints a header, a row for each of the largest planes, and one for the points
+ * on no plane. */
 void
 printPlanes (const Report& report, std::ostream& stream)
 {
@@ -37,10 +40,10 @@ printPlanes (const Report& report, std::ostream& stream)
   std::size_t on_no_plane = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::size_t size = planes[i].inliers.size();
-    on_no_plane -= size;
-    const auto [normal, offset] = planes[i].plane();
+    on_no_plane -= size; // also for planes without a row
     if (i >= max_rows)
       continue;
+    const auto [normal, offset] = planes[i].plane();
     stream << boost::format ("%4d") % report.ids[i];
     if (!plane_ids.empty())
       stream << boost::format (" %5d") % plane_ids[i];
@@ -91,19 +94,20 @@ lengthsOf (const UsedLengths& used)
   return lengths;
 }
 
-/** \brief Returns dropped planes, advice and hints as lines for table and summary. */
+/** \brief Returns lines on dropped planes, advice and hints; empty if there are none.
+ */
 std::vector<std::string>
 remarksOn (const Report& report)
 {
   const Detected& detected = report.detected;
-  const std::size_t left = detected.planes.size();
+  const std::size_t kept = detected.planes.size();
   const std::size_t found = report.dropped.found;
   std::vector<std::string> remarks;
-  if (left > 0 && !report.dropped.by_option.empty())
-    remarks.push_back ("Dropped " + std::to_string (found - left) + " of " +
+  if (kept > 0 && !report.dropped.by_option.empty())
+    remarks.push_back ("Dropped " + std::to_string (found - kept) + " of " +
                        std::to_string (found) + " planes: " + report.dropped.reasons() +
                        ".");
-  if (left == 0)
+  if (kept == 0)
     remarks.push_back ("No plane found: " + detected.advice + ".");
   else if (!detected.advice.empty())
     remarks.push_back ("Hardly any point is on a plane: " + detected.advice + ".");
@@ -111,8 +115,8 @@ remarksOn (const Report& report)
   return remarks;
 }
 
-/** \brief Returns a line on regularized planes: how many they are, the largest angle
- * and the largest distance. */
+/** \brief Returns a line on regularized planes: how many were moved, and the largest
+ * angle [degrees] and distance [unit of the cloud] by which one was. */
 std::string
 noteOnMoves (const std::vector<PlaneMove>& moves)
 {
@@ -130,8 +134,8 @@ noteOnMoves (const std::vector<PlaneMove>& moves)
               moved % moves.size() % toDegrees (max_angle) % max_distance);
 }
 
-/** \brief Returns PlaneMove::displacement. Returns null if it is infinite: for a plane
- * of rms 0 that would have to move. */
+/** \brief Returns PlaneMove::displacement; null if it is infinite, as for a moved plane
+ * of rms 0, since JSON has no infinity. */
 nlohmann::ordered_json
 displacementOf (const PlaneMove& move)
 {

@@ -17,6 +17,7 @@ struct Report {
   std::string method;
   /** \brief Number of points of the cloud, including NaN points. */
   std::size_t points = 0;
+  /** \brief Planes and how they were found. */
   Detected detected;
   /** \brief Id of each plane in Detected::planes: its label in the labeled cloud. */
   std::vector<std::uint32_t> ids;
@@ -32,7 +33,8 @@ struct Report {
   std::vector<std::string> file_notes;
   /** \brief The floor plan, if one is asked for. */
   std::optional<FloorPlan> plan;
-  /** \brief Extent of each plane. Empty for concave hulls if no output needs them. */
+  /** \brief Extent of each plane, with the hull of --hull. Empty if that is concave and
+   * no output needs extents. */
   std::vector<PlaneExtent> extents;
 
   /** \brief Returns for each piece the id of the plane on which it lies; empty without
@@ -47,7 +49,8 @@ struct Report {
   }
 };
 
-/** \brief Prints the table of planes, remarks, and times [ms]. */
+/** \brief Prints the table of planes, how the up axis was found, regularized planes,
+ * dropped planes, advice, hints, and times [ms]. */
 void
 printTable (const Report& report, std::ostream& stream);
 
@@ -65,7 +68,7 @@ bool
 isPlaneFile (const std::string& name);
 
 /** \brief Writes the outputs for one cloud, each file or folder in one step.
- * \param[in] shifted \p cloud as it was searched
+ * \param[in] shifted the points of \p cloud in which the planes were found
  * \return contents of the files that the table does not show: "plan.dxf: 12 walls, 3
  * rooms, 41.2 m2"
  * \throws WorkError if an output cannot be written, Interrupted */

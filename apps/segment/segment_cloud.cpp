@@ -43,13 +43,13 @@ divideIntoPieces (const SegmentOptions& options,
                                ? 1
                                : static_cast<unsigned> (threads_option->second);
   PlanePieces found =
-      findPlanePieces (cloud, detected.planes, options.of_pieces, threads);
+      findPlanePieces (cloud, detected.planes, options.piece_parameters, threads);
   detected.whole_planes = std::move (detected.planes);
   for (PlaneSegment& plane : detected.whole_planes)
     plane.inliers.clear();
   detected.planes = std::move (found.pieces);
   detected.lies_on = std::move (found.planes);
-  detected.settings["piece_gap"] = options.of_pieces.max_gap;
+  detected.settings["piece_gap"] = options.piece_parameters.max_gap;
 }
 
 /** \brief Finds planes, or their pieces if asked for, and moves them to the frame of
@@ -123,10 +123,10 @@ extentInFile (const ShiftedCloud& shifted,
               const PlaneSegment& plane,
               const std::string& hull)
 {
-  const PlaneFrame in_cloud (plane.centroid - shifted.shift, plane.normal);
-  const PlaneFrame in_file (plane.centroid, plane.normal);
-  const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, in_cloud);
-  return extentOf (outlineOf (points, hull), points, in_file);
+  const PlaneFrame frame_in_cloud (plane.centroid - shifted.shift, plane.normal);
+  const PlaneFrame frame_in_file (plane.centroid, plane.normal);
+  const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, frame_in_cloud);
+  return extentOf (outlineOf (points, hull), points, frame_in_file);
 }
 
 /** \brief Makes nearly parallel, orthogonal and coplanar planes exactly so. */
@@ -140,7 +140,7 @@ regularize (Detected& detected)
 
 /** \brief Sets the kinds of planes, such as floor and wall, and the convex outlines on
  * which the kinds depend.
- * \param[in] meter units of the cloud in one meter */
+ * \param[in] meter length of a meter in the unit of the cloud */
 void
 setKinds (const FileCloud& cloud,
           const ShiftedCloud& shifted,
@@ -179,7 +179,7 @@ countOf (PlaneKind kind, const Detected& detected)
 }
 
 /** \brief Finds the floor plan, and adds a warning if it has no wall.
- * \param[in] counts numbers of planes before any was dropped */
+ * \param[in] counts floors and wall planes before any plane was dropped */
 void
 findPlan (const SegmentOptions& options,
           const ShiftedCloud& shifted,
@@ -191,15 +191,15 @@ findPlan (const SegmentOptions& options,
                                detected.planes,
                                detected.kinds,
                                detected.up.cast<double>(),
-                               options.of_plan,
+                               options.plan_parameters,
                                shifted.shift);
   counts.walls = report.plan->walls.size();
   counts.wall_planes_kept = countOf (PlaneKind::Wall, detected);
   putWarningOnPlan (counts, report.warnings);
 }
 
-/** \brief Returns the options. If the user gave no reference system or no unit, those
- * of a LAS file are filled in. */
+/** \brief Returns the options, with the reference system and the unit of a LAS file
+ * where the user gave none. */
 SegmentOptions
 withCrsAndUnitOf (const FileCloud& cloud, SegmentOptions options)
 {
@@ -209,7 +209,7 @@ withCrsAndUnitOf (const FileCloud& cloud, SegmentOptions options)
     options.map.crs = crsOf (*cloud.las);
   const double meter = unitsInMeter (*cloud.las);
   if (!options.has_meter && meter != 1.0) {
-    options.of_plan.meter = meter;
+    options.plan_parameters.meter = meter;
     options.has_meter = true;
   }
   return options;
@@ -237,18 +237,18 @@ reportOn (const SegmentOptions& options,
   return report;
 }
 
-/** \brief Sets the kinds of planes and drops planes that are not chosen. If asked for,
- * regularizes planes before that and finds the floor plan after it. */
+/** \brief Regularizes planes if asked for, sets their kinds, drops planes that are not
+ * chosen, and finds the floor plan if asked for. */
 void
-choosePlanes (const SegmentOptions& options,
-              const Outputs& outputs,
-              const FileCloud& cloud,
-              const ShiftedCloud& shifted,
-              Report& report)
+regularizeAndChoosePlanes (const SegmentOptions& options,
+                           const Outputs& outputs,
+                           const FileCloud& cloud,
+                           const ShiftedCloud& shifted,
+                           Report& report)
 {
   if (options.regularizes)
     regularize (report.detected);
-  setKinds (cloud, shifted, options.of_plan.meter, report.detected);
+  setKinds (cloud, shifted, options.plan_parameters.meter, report.detected);
   PlanCounts counts;
   counts.wall_planes_found = countOf (PlaneKind::Wall, report.detected);
   counts.has_floor = countOf (PlaneKind::Floor, report.detected) > 0;
@@ -260,8 +260,8 @@ choosePlanes (const SegmentOptions& options,
     findPlan (options, shifted, counts, report);
 }
 
-/** \brief Sets the extents: convex ones are known, concave ones are computed only if an
- * output needs them. */
+/** \brief Sets Report::extents. \ref setKinds has computed convex ones; concave ones
+ * are computed only if an output needs them. */
 void
 setExtents (const SegmentOptions& options,
             const Outputs& outputs,
@@ -292,7 +292,7 @@ nameOfInput (const Task& task)
 }
 
 Report
-segmentCloud (const SegmentOptions& given,
+segmentCloud (const SegmentOptions& given_options,
               const Task& task,
               const GiveIds& give_ids,
               StageLines* progress)
@@ -304,12 +304,12 @@ segmentCloud (const SegmentOptions& given,
   };
   begin ("reading");
   const FileCloud cloud = loadInput (task);
-  const SegmentOptions options = withCrsAndUnitOf (cloud, given);
+  const SegmentOptions options = withCrsAndUnitOf (cloud, given_options);
   checkTakesLabels (options, task, cloud);
   begin ("finding planes in " + std::to_string (cloud.size()) + " points");
   const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));
   Report report = reportOn (options, task, cloud, shifted);
-  choosePlanes (options, task.outputs, cloud, shifted, report);
+  regularizeAndChoosePlanes (options, task.outputs, cloud, shifted, report);
   report.ids = numbersUpTo (report.detected.planes.size());
   report.whole_plane_ids = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();

@@ -23,7 +23,8 @@ nameOfStage (Stage stage)
   return std::to_string (static_cast<int> (stage) + 1) + "_" + toString (stage);
 }
 
-/** \brief Returns a cloud with the fields x, y and z alone, of unchanged type. */
+/** \brief Returns a copy of a cloud that has the fields x, y and z alone, in the types
+ * of the cloud. */
 FileCloud
 coordinatesOf (const FileCloud& cloud)
 {
@@ -51,40 +52,57 @@ coordinatesOf (const FileCloud& cloud)
   return only_xyz;
 }
 
+/** \brief Number of points that a region and a plane have in common. */
+struct SharedPoints {
+  std::int32_t region, plane;
+  std::size_t points;
+};
+
+/** \brief Returns the pairs of a region and a plane with common points, by falling
+ * number of these.
+ * \param[in] regions, planes label of each point */
+std::vector<SharedPoints>
+sharedPoints (const pcl_ops::Labels& regions, const pcl_ops::Labels& planes)
+{
+  using RegionAndPlane = std::pair<std::int32_t, std::int32_t>;
+  std::map<RegionAndPlane, std::size_t> counts;
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (regions[i] != no_plane && planes[i] != no_plane)
+      ++counts[{regions[i], planes[i]}];
+  std::vector<SharedPoints> shared;
+  for (const auto& [pair, points] : counts)
+    shared.push_back ({pair.first, pair.second, points});
+  std::stable_sort (
+      shared.begin(), shared.end(), [] (const SharedPoints& a, const SharedPoints& b) {
+        return a.points > b.points;
+      });
+  return shared;
+}
+
+/** \brief Returns the number of different labels, which are counted from 0 on. */
+std::int32_t
+numberOfLabels (const pcl_ops::Labels& labels)
+{
+  return labels.empty() ? 0 : *std::max_element (labels.begin(), labels.end()) + 1;
+}
+
 /** \brief Returns a new number for each region: that of the plane that shares most
  * points with it, so that both have the same color in all pictures. Each plane gives
  * its number to one region. Other regions get numbers above those of all planes.
- * \param[in] grown, joined, result of Stage::Regions, Stage::Joined and Stage::Labels */
+ * \param[in] regions labels of Stage::Regions
+ * \param[in] joined labels of Stage::Joined, some of those in \p regions
+ * \param[in] planes labels of Stage::Labels */
 std::vector<std::int32_t>
-numbersOfRegions (const StageResult& grown,
-                  const StageResult& joined,
-                  const StageResult& result)
+numbersOfRegions (const pcl_ops::Labels& regions,
+                  const pcl_ops::Labels& joined,
+                  const pcl_ops::Labels& planes)
 {
-  const auto count_of = [] (const pcl_ops::Labels& labels) {
-    return labels.empty() ? 0 : *std::max_element (labels.begin(), labels.end()) + 1;
-  };
-  using RegionAndPlane = std::pair<std::int32_t, std::int32_t>;
-  std::map<RegionAndPlane, std::size_t> shared_points;
-  for (std::size_t i = 0; i < joined.labels.size(); ++i)
-    if (joined.labels[i] != no_plane && result.labels[i] != no_plane)
-      ++shared_points[{joined.labels[i], result.labels[i]}];
-  struct SharedPoints {
-    std::int32_t region, plane;
-    std::size_t points;
-  };
-  std::vector<SharedPoints> shares;
-  for (const auto& [pair, points] : shared_points)
-    shares.push_back ({pair.first, pair.second, points});
-  std::stable_sort (
-      shares.begin(), shares.end(), [] (const SharedPoints& a, const SharedPoints& b) {
-        return a.points > b.points;
-      });
-  std::vector<std::int32_t> numbers (std::size_t (count_of (grown.labels)), no_plane);
+  std::vector<std::int32_t> numbers (std::size_t (numberOfLabels (regions)), no_plane);
   std::set<std::int32_t> used_planes;
-  for (const SharedPoints& share : shares)
-    if (numbers[share.region] == no_plane && used_planes.insert (share.plane).second)
-      numbers[share.region] = share.plane;
-  std::int32_t next = count_of (result.labels);
+  for (const SharedPoints& shared : sharedPoints (joined, planes))
+    if (numbers[shared.region] == no_plane && used_planes.insert (shared.plane).second)
+      numbers[shared.region] = shared.plane;
+  std::int32_t next = numberOfLabels (planes);
   for (std::int32_t& number : numbers)
     if (number == no_plane)
       number = next++;
@@ -101,8 +119,10 @@ numberedAsPlanes (std::vector<StageResult> stages)
   const auto result_of = [&] (Stage stage) -> StageResult& {
     return stages[static_cast<std::size_t> (stage)];
   };
-  const std::vector<std::int32_t> numbers = numbersOfRegions (
-      result_of (Stage::Regions), result_of (Stage::Joined), result_of (Stage::Labels));
+  const std::vector<std::int32_t> numbers =
+      numbersOfRegions (result_of (Stage::Regions).labels,
+                        result_of (Stage::Joined).labels,
+                        result_of (Stage::Labels).labels);
   for (const Stage stage : {Stage::Regions, Stage::Joined, Stage::Planes})
     for (std::int32_t& label : result_of (stage).labels)
       if (label != no_plane)
@@ -142,6 +162,7 @@ colorsOf (const StageResult& result, const ColorScale& scale)
   return colors;
 }
 
+/** \brief Writes the points with the labels and values that the stage has, and rgb. */
 void
 saveStageCloud (const std::string& file,
                 const FileCloud& coordinates,
@@ -150,7 +171,7 @@ saveStageCloud (const std::string& file,
 {
   using pcl::PCLPointField;
   const std::vector<std::uint32_t> labels = fileLabels (result.labels);
-  // For a part of the points, from index first on.
+  // Called for each part of the points; first is the index of the first point in it.
   saveCloud (file, coordinates, [&] (FileCloud& part, std::size_t first) {
     if (!labels.empty())
       setField (part, "label", PCLPointField::UINT32, labels.data() + first);

@@ -16,10 +16,13 @@ namespace pcl_ops::apps {
 std::vector<std::string>
 stageFiles ();
 
-/** \brief Writes a cloud and a picture for each stage in one step, and creates the
- * folder. The clouds have the fields x, y, z and rgb, and value, label (0: no label) or
- * both. Of the regions after joining, the one with most points of a plane has the label
- * of the plane; all others have larger labels.
+/** \brief Creates the folder and writes a cloud and a picture for each stage into it,
+ * in one step: after an error it is as before. The clouds have the fields x, y, z and
+ * rgb, and value, label (0: no label) or both. Of the regions after joining, the one
+ * with most points of a plane has the label of the plane; all others have larger
+ * labels.
+ * \param[in] cloud the points of \p stages, in the frame of the file
+ * \param[in] picture draws these points
  * \return a description of the contents for messages
  * \throws WorkError that names the folder, Interrupted */
 std::string

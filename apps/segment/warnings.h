@@ -7,7 +7,7 @@
 namespace pcl_ops::apps {
 
 /** \brief Returns warnings on the planes of a cloud (resultWarnings).
- * \param[in] shifted \p cloud as it was searched
+ * \param[in] shifted the points of \p cloud in which the planes were found
  * \param[in] detected planes before planes are regularized or dropped */
 std::vector<ResultWarning>
 warningsOn (const SegmentOptions& options,

@@ -13,48 +13,49 @@ namespace {
 using Eigen::Vector3d;
 
 /** \brief Returns half the edge of a cube with some thousand points of the survey [m]:
- * by the sample, 3000 points are within this distance of the center.
+ * the radius of a ball around the center that has 3000 points, as the sample tells.
  * \param[in] sampled_share share of the survey's points that are in the sample */
 double
 halfEdgeAround (const Vector3d& center, const PlaneSample& sample, double sampled_share)
 {
-  constexpr double points_of_box = 3000.0;
+  constexpr double points_of_ball = 3000.0;
   constexpr std::size_t min_sampled = 8; // fewer tell little of the density
   std::vector<double> squared_distances;
-  for (const SampledPoints& group : sample.points)
+  for (const SampledPoints& group : sample.groups)
     for (const Vector3d& position : group.positions)
       squared_distances.push_back ((position - center).squaredNorm());
-  const std::size_t sampled =
-      std::max (min_sampled, static_cast<std::size_t> (sampled_share * points_of_box));
-  const std::size_t last = std::min (sampled, squared_distances.size() - 1);
+  const std::size_t sampled_of_ball =
+      std::max (min_sampled, static_cast<std::size_t> (sampled_share * points_of_ball));
+  // Index of the farthest point of the ball, among the points by their distances.
+  const std::size_t farthest = std::min (sampled_of_ball, squared_distances.size() - 1);
   std::nth_element (squared_distances.begin(),
-                    squared_distances.begin() + static_cast<std::ptrdiff_t> (last),
+                    squared_distances.begin() + static_cast<std::ptrdiff_t> (farthest),
                     squared_distances.end());
-  return std::sqrt (squared_distances[last]);
+  return std::sqrt (squared_distances[farthest]);
 }
 
 /** \brief Chooses the boxes, which have no points yet. */
 std::vector<DenseBox>
 emptyBoxes (const PlaneSample& sample)
 {
-  constexpr std::size_t largest_planes = 8;
+  constexpr std::size_t planes_with_boxes = 8; // the largest ones
   constexpr std::size_t boxes_of_plane = 2;
   constexpr std::size_t boxes_on_none = 3;
   const std::size_t planes = sample.planes.size();
   std::size_t survey_points = 0;
-  for (const SampledPoints& group : sample.points)
+  for (const SampledPoints& group : sample.groups)
     survey_points += group.all_points;
   const double sampled_share = static_cast<double> (sample.shifted.cloud->size()) /
                                static_cast<double> (survey_points);
   std::vector<DenseBox> boxes;
   for (std::size_t group = 0; group <= planes; ++group) {
     const bool is_on_none = group == planes;
-    if (group >= largest_planes && !is_on_none)
+    if (group >= planes_with_boxes && !is_on_none)
       continue;
-    const std::vector<Vector3d>& positions = sample.points[group].positions;
+    const std::vector<Vector3d>& positions = sample.groups[group].positions;
     const std::size_t max_boxes = is_on_none ? boxes_on_none : boxes_of_plane;
-    for (std::size_t k = 0; k < std::min (max_boxes, positions.size()); ++k) {
-      const Vector3d& center = positions[k]; // the first ones are an even sample
+    for (std::size_t i = 0; i < std::min (max_boxes, positions.size()); ++i) {
+      const Vector3d& center = positions[i]; // the first ones are an even sample
       const Vector3d to_corner =
           Vector3d::Constant (halfEdgeAround (center, sample, sampled_share));
       boxes.push_back ({group, {center - to_corner, center + to_corner}, {}});
@@ -70,7 +71,7 @@ denseBoxes (const nlohmann::ordered_json& list,
             const PlaneSample& sample,
             const ForEachLabeledPoint& for_each_point)
 {
-  constexpr std::size_t max_points = 20'000;
+  constexpr std::size_t max_points = 20'000; // of a box
   std::vector<std::uint32_t> ids;
   for (const auto& plane : list.at ("planes"))
     ids.push_back (plane.at ("id").get<std::uint32_t>());
@@ -82,8 +83,8 @@ denseBoxes (const nlohmann::ordered_json& list,
     for (DenseBox& dense : boxes) {
       if (!dense.box.contains (point) || dense.points.size() >= max_points)
         continue;
-      const bool takes_all_points = dense.group < ids.size();
-      if (takes_all_points || !std::binary_search (ids.begin(), ids.end(), label))
+      const bool is_on_plane = dense.group < ids.size();
+      if (is_on_plane || !std::binary_search (ids.begin(), ids.end(), label))
         dense.points.push_back ((point - dense.box.center()).cast<float>());
     }
   });

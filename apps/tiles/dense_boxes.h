@@ -11,20 +11,22 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Survey points, not only sampled ones, in a box around one sampled point. */
+/** \brief All survey points in a box around a sampled point, also those that are not in
+ * the sample. */
 struct DenseBox {
   /** \brief Group of the sampled point: the position of its plane in the list of
    * planes, or the number of planes if it is on no plane. */
   std::size_t group = 0;
+  /** \brief In the frame of the survey [m]. */
   Eigen::AlignedBox3d box;
-  /** \brief Relative to the center of the box; the first 20,000 at most. Around a point
-   * on no plane, only points on no plane are kept. */
+  /** \brief Relative to the center of the box, at most 20,000: further points are left
+   * out. Around a point on no plane, only points on no plane are kept. */
   std::vector<Eigen::Vector3f> points;
 };
 
 /** \brief Collects some thousand points around each of a few points of the largest
  * planes, and of a few points on no plane.
- * \param[in] list of planes by falling number of points
+ * \param[in] list of planes by falling number of points, as for \ref samplePlanes
  * \param[in] sample of the points of these planes, and of the points on no plane
  * \throws WorkError as \p for_each_point does */
 std::vector<DenseBox>

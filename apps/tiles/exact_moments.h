@@ -12,18 +12,20 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Moments about zero of points rounded to a lattice of \ref unit, as integers.
- * Their sums are exact, so that the order of the points does not matter.
+/** \brief Moments about zero of points that are rounded to a lattice with the spacing
+ * \ref unit. They are integers, so that sums are exact, and the order of the points
+ * does not matter.
  *
- * The integers have room for 10^11 points at 10^7 m from zero, with cells of a
- * decimeter and a unit of a ten thousandth of a cell. */
+ * The integers do not overflow for 10^11 points at 10^7 m from zero, with a unit of a
+ * ten thousandth of a decimeter. */
 struct ExactMoments {
   using Int128 = boost::int128_type;
 
   /** \brief Spacing of the lattice [m], a power of two: rounding to the lattice is then
    * the only error. */
   double unit = 1.0;
-  /** \brief Sum of p p^T over all points p = (x, y, z, 1) [unit]. */
+  /** \brief Sum of p p^T over all points p = (x, y, z, 1), with x, y and z in units of
+   * the lattice. */
   Eigen::Matrix<Int128, 4, 4> sums = Eigen::Matrix<Int128, 4, 4>::Zero();
 
   /** \brief Number of points. */
@@ -51,7 +53,7 @@ struct ExactMoments {
     Moments moments;
     if (count() == 0)
       return moments;
-    // Translation of the points by the negative centroid, rounded by integer division.
+    // Translates the points by the negative centroid, rounded by integer division.
     Eigen::Matrix<Int128, 4, 4> translation = Eigen::Matrix<Int128, 4, 4>::Identity();
     translation.col (3).head<3>() = sums.col (3).head<3>() / -count();
     const Eigen::Matrix<double, 4, 4> translated_sums =
@@ -69,8 +71,8 @@ struct ExactMoments {
   }
 };
 
-/** \brief Returns the unit of \ref ExactMoments for a grid of cells: the largest power
- * of two up to a ten thousandth of the edge of a cell [m]. */
+/** \brief Returns the unit of \ref ExactMoments for points in cells with this edge [m]:
+ * the largest power of two that is at most a ten thousandth of the edge [m]. */
 inline double
 momentsUnit (double cell_edge)
 {

@@ -35,7 +35,8 @@ struct TilesOptions {
   std::vector<std::string> inputs;
   std::string output_dir;
   PlanOptions plan;
-  /** \brief The files of --planes, --image, --view and --floor-plan. */
+  /** \brief The files of --planes, --image, --view and --floor-plan, and what is about
+   * them. */
   PlanesOutput output;
   /** \brief File of the plan of tiles; empty for work/plan.json in the output folder.
    */
@@ -74,12 +75,12 @@ declareOutput (CommandLine& line, PlanesOutput& output)
       .help ("a page that shows the same planes, and points, in a browser");
   line.add ("floor-plan FILE", output.floor_plan)
       .help ("write walls, openings, rooms: .dxf, .svg, .geojson, .gpkg");
-  line.add ("plan-height M", output.of_plan.cut_height, from (-1000).upTo (1000))
+  line.add ("plan-height M", output.of_floor_plan.cut_height, from (-1000).upTo (1000))
       .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
 }
 
-/** \brief Checks the options for files from the list of planes, and completes
- * PlanesOutput::choice. \throws UsageError */
+/** \brief Checks the options for files from the list of planes once all options are
+ * read, and completes PlanesOutput::choice. \throws UsageError */
 void
 finishOutput (const CommandLine& line, PlanesOutput& output)
 {
@@ -187,6 +188,8 @@ eachFileOnce (std::vector<std::string> names)
   return files;
 }
 
+/** \brief Returns the files that the options name or match, each once.
+ * \throws WorkError if there are none or one has a name that cannot be used */
 std::vector<std::string>
 inputsOf (const TilesOptions& options)
 {
@@ -231,8 +234,9 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
   }
 }
 
+/** \brief Returns the line that --dry-run prints. */
 std::string
-textOf (const Plan& plan)
+summaryOf (const Plan& plan)
 {
   const std::size_t inputs = plan.inputs.size();
   return str (
@@ -241,15 +245,16 @@ textOf (const Plan& plan)
       plan.likely_tiles % (plan.likely_tiles == 1 ? "" : "s") % plan.grid.edgeOfTile());
 }
 
-/** \brief Runs the phases of a plan, this rank's share of each. */
+/** \brief Runs the phases of a plan: of each phase the parts (inputs or tiles) that are
+ * this rank's share. */
 struct TileRun {
   const Plan& plan;
   const RunFolder& folder;
   const TilesOptions& options;
   const Ranks& ranks;
-  /** \brief When the phase began, by the wall clock, and by the processor time of this
-   * rank over all of its threads [s]. */
+  /** \brief When the phase began. */
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  /** \brief \ref processorTime when the phase began [s]. */
   double processor_start = processorTime();
   /** \brief How long each finished phase took, in words. */
   std::string times = {};
@@ -267,25 +272,25 @@ struct TileRun {
   {
     const bool is_first = ranks.rank == 0;
     const auto is_sorted = [&] (std::size_t input) {
-      return isThere (folder.cells (input));
+      return isThere (folder.blocks (input));
     };
-    shareInputs ("sorted", is_sorted, partitionInput);
+    runInputs ("sorted", is_sorted, partitionInput);
     const SortedPoints points (plan, folder);
     if (is_first && !isThere (folder.work (run_file::noise)))
       inMemory ("--tile", "give a smaller one", [&] {
         measureSurvey (plan, folder, points);
       });
-    finish ("noise measured");
-    shareTiles (points);
-    finish ("planes found");
+    endPhase ("noise measured");
+    runTiles (points);
+    endPhase ("planes found");
     if (is_first && !isThere (folder.work (run_file::list)))
       joinTiles (plan, folder, points);
-    finish ("joined");
+    endPhase ("joined");
     const auto is_labeled = [&] (std::size_t input) {
       return isThere (folder.labeledMark (input)) &&
              isThere (outputOf (plan, folder, input));
     };
-    shareInputs ("labelled", is_labeled, labelInput);
+    runInputs ("labelled", is_labeled, labelInput);
     return times;
   }
 
@@ -293,30 +298,30 @@ private:
   using IsDone = std::function<bool (std::size_t)>;
   using PhaseOfInput = void (const Plan&, const RunFolder&, std::size_t input);
 
-  /** \brief Does this rank's share of a phase of inputs.
+  /** \brief Runs a phase for this rank's share of the inputs.
    * \param[in] name of the phase for \ref times and the progress bar */
   void
-  shareInputs (const std::string& name, const IsDone& is_done, PhaseOfInput* phase)
+  runInputs (const std::string& name, const IsDone& is_done, PhaseOfInput* phase)
   {
     std::vector<std::uint64_t> points_of_input;
     for (const PlannedInput& input : plan.inputs)
       points_of_input.push_back (input.points);
-    share (points_of_input, "inputs " + name, is_done, [&] (std::size_t input) {
+    runParts (points_of_input, "inputs " + name, is_done, [&] (std::size_t input) {
       inMemory (plan.inputs[input].file, "give fewer --jobs", [&] {
         phase (plan, folder, input);
       });
     });
-    finish (name);
+    endPhase (name);
   }
 
   /** \brief Finds the planes in this rank's share of the tiles. */
   void
-  shareTiles (const SortedPoints& points)
+  runTiles (const SortedPoints& points)
   {
     const auto is_found = [&] (std::size_t i) {
       return isThere (folder.ofTile (points.tiles[i], ".planes"));
     };
-    share (points.points_of_tile, "tiles", is_found, [&] (std::size_t i) {
+    runParts (points.points_of_tile, "tiles", is_found, [&] (std::size_t i) {
       inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
         detectTile (plan, folder, points, points.tiles[i]);
       });
@@ -325,7 +330,7 @@ private:
 
   /** \brief Waits until all ranks have finished a phase, and notes its time. */
   void
-  finish (const std::string& phase)
+  endPhase (const std::string& phase)
   {
     ranks.meet();
     const auto now = std::chrono::steady_clock::now();
@@ -338,30 +343,31 @@ private:
     processor_start = processor;
   }
 
-  /** \brief Does this rank's share of a phase, without the parts done before. A part is
-   * an input or a tile.
-   * \param[in] work_of_part amount of work of each part
+  /** \brief Runs a phase for this rank's share of the parts, except for parts that an
+   * earlier run has done.
+   * \param[in] points_of_part number of points of each part: the amount of work
    * \param[in] noun what the progress bar counts
    * \param[in] is_done whether a part was done before, by its position
-   * \param[in] work does a part, by its position */
+   * \param[in] run_part runs the phase for a part, by its position */
   void
-  share (const std::vector<std::uint64_t>& work_of_part,
-         const std::string& noun,
-         const IsDone& is_done,
-         const std::function<void (std::size_t)>& work)
+  runParts (const std::vector<std::uint64_t>& points_of_part,
+            const std::string& noun,
+            const IsDone& is_done,
+            const std::function<void (std::size_t)>& run_part)
   {
-    std::vector<std::size_t> own = shareOf (ranks.rank, ranks.size, work_of_part);
-    own.erase (std::remove_if (own.begin(), own.end(), is_done), own.end());
+    std::vector<std::size_t> parts = shareOf (ranks.rank, ranks.size, points_of_part);
+    parts.erase (std::remove_if (parts.begin(), parts.end(), is_done), parts.end());
     const bool is_terminal = ::isatty (STDERR_FILENO) == 1;
-    const bool speaks = ranks.rank == 0 && !options.quiet;
-    Progress progress (own.size(),
+    const bool shows_progress = ranks.rank == 0 && !options.quiet;
+    Progress progress (parts.size(),
                        std::cerr,
-                       speaks ? progressStyleOf (is_terminal) : ProgressStyle::None,
+                       shows_progress ? progressStyleOf (is_terminal)
+                                      : ProgressStyle::None,
                        noun);
     try {
-      runInParallel (own.size(), options.jobs, [&] (std::size_t i) {
+      runInParallel (parts.size(), options.jobs, [&] (std::size_t i) {
         stopIfInterrupted();
-        work (own[i]);
+        run_part (parts[i]);
         progress.step();
       });
     }
@@ -399,18 +405,18 @@ void
 preparePlan (const TilesOptions& options, const RunFolder& folder)
 {
   const PlanFile own = planFileOf (folder);
-  const PlanFile named =
+  const PlanFile named = // by --plan; the same file without it
       options.plan_file.empty()
           ? own
           : PlanFile{options.plan_file, "remove it or give another --plan"};
   const bool has_own = isThere (own.name);
-  const auto load_earlier = [&] (const PlanFile& file) {
+  const auto load_for_this_run = [&] (const PlanFile& file) {
     Plan plan = loadPlan (file);
     checkIsFor (plan, file, inputsOf (options), options.plan);
     return plan;
   };
-  const Plan plan = isThere (named.name) ? load_earlier (named)
-                    : has_own            ? load_earlier (own)
+  const Plan plan = isThere (named.name) ? load_for_this_run (named)
+                    : has_own            ? load_for_this_run (own)
                                          : makePlan (inputsOf (options), options.plan);
   if (has_own && toText (loadPlan (own)) != toText (plan))
     throw WorkError (own.name, "is another plan than " + named.name + "; " + own.fix);
@@ -428,19 +434,18 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
 PlanesOutput
 withUnitAndCrsOf (const Plan& plan, PlanesOutput output)
 {
-  output.of_plan.meter = plan.meter;
+  output.of_floor_plan.meter = plan.meter;
   if (output.map.crs.empty())
     output.map.crs = commonCrs (plan);
   return output;
 }
 
-/** \brief Prints times and counts to stdout; contents of files, and warnings, to
- * stderr.
- */
+/** \brief Prints times and numbers of planes to stdout; contents of files, and
+ * warnings, to stderr. */
 void
-print (const std::string& folder,
-       const std::string& times,
-       const PlaneMessages& messages)
+printResult (const std::string& folder,
+             const std::string& times,
+             const PlaneMessages& messages)
 {
   std::cout << times << folder << ": the labelled inputs and planes.json, "
             << messages.counts << "\n"
@@ -465,8 +470,8 @@ lockFolder (const std::string& folder, std::optional<FolderLock>& lock)
                      "another --output-dir");
 }
 
-/** \brief Runs the program together with all other ranks. Each phase leaves files; a
- * later run skips the parts whose files exist.
+/** \brief Runs the program together with all other ranks. Each part of a phase ends
+ * with a file; a later run leaves out the parts whose files exist.
  * \return exit code */
 int
 findInTiles (int argc, const char* const* argv, const Ranks& ranks)
@@ -476,10 +481,10 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
     return ExitCode::done;
   const RunFolder folder{options.output_dir};
   const bool is_first = ranks.rank == 0;
-  const bool speaks = is_first && !options.quiet;
+  const bool prints = is_first && !options.quiet;
   if (options.dry_run) {
     if (is_first)
-      std::cout << textOf (makePlan (inputsOf (options), options.plan)) << "\n";
+      std::cout << summaryOf (makePlan (inputsOf (options), options.plan)) << "\n";
     return ExitCode::done;
   }
   std::optional<FolderLock> lock;
@@ -490,8 +495,8 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   ranks.meet();
   const Plan plan = loadPlan (planFileOf (folder));
   const bool is_done = isDone (plan, folder);
-  if (speaks)
-    std::cout << textOf (plan) << "\n";
+  if (prints)
+    std::cout << summaryOf (plan) << "\n";
   const std::string times =
       is_done ? "" : TileRun{plan, folder, options, ranks}.run() + "\n";
   if (!is_first)
@@ -508,8 +513,8 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
       saveChosenPlanes (folder.output (planes_file),
                         for_each_point,
                         withUnitAndCrsOf (plan, options.output));
-  if (speaks)
-    print (options.output_dir, times, messages);
+  if (prints)
+    printResult (options.output_dir, times, messages);
   return ExitCode::done;
 }
 

@@ -15,12 +15,13 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Number of a square along u and v; a square is as wide as a cell. */
+/** \brief Number of a square along u and along v, 0 for the one that begins at zero. A
+ * square is as wide as a cell. */
 using Square = std::array<std::int64_t, 2>;
 using Diagram = boost::polygon::voronoi_diagram<double>;
-using Vertex = Diagram::vertex_type;
+using VoronoiVertex = Diagram::vertex_type;
 
-/** \brief A point projected along a coordinate axis. */
+/** \brief A point projected along a coordinate axis: a site of the Voronoi diagram. */
 struct Site {
   Square square{};
   /** \brief Coordinates along the two other axes [unit of the lattice]. */
@@ -46,7 +47,7 @@ sitesOf (const std::vector<OutlinePoint>& points,
          const Eigen::Vector3d& normal,
          double cell_edge)
 {
-  const Eigen::Vector3d weights (1.3, 1.0, 1.8);
+  const Eigen::Vector3d weights (1.3, 1.0, 1.8); // along x, y and z
   Eigen::Index axis = 0;
   normal.cwiseAbs().cwiseProduct (weights).maxCoeff (&axis);
   Eigen::Index u = (axis + 1) % 3;
@@ -54,8 +55,8 @@ sitesOf (const std::vector<OutlinePoint>& points,
   // Seen from the side that the normal points to, v is counter-clockwise of u.
   if (normal[axis] < 0.0)
     std::swap (u, v);
-  const auto square_of = [cell_edge] (std::int64_t along) {
-    return static_cast<std::int64_t> (std::floor (double (along) / cell_edge));
+  const auto square_number = [cell_edge] (std::int64_t coordinate) {
+    return static_cast<std::int64_t> (std::floor (double (coordinate) / cell_edge));
   };
   std::vector<Site> sites;
   sites.reserve (points.size());
@@ -63,17 +64,17 @@ sitesOf (const std::vector<OutlinePoint>& points,
     const std::int64_t along_u = point.position[u];
     const std::int64_t along_v = point.position[v];
     sites.push_back (
-        {{square_of (along_u), square_of (along_v)}, along_u, along_v, point});
+        {{square_number (along_u), square_number (along_v)}, along_u, along_v, point});
   }
   std::sort (sites.begin(), sites.end());
-  const auto is_same = [] (const Site& a, const Site& b) {
-    return a.u == b.u && a.v == b.v;
+  const auto coincide = [] (const Site& one, const Site& other) {
+    return one.u == other.u && one.v == other.v;
   };
-  sites.erase (std::unique (sites.begin(), sites.end(), is_same), sites.end());
+  sites.erase (std::unique (sites.begin(), sites.end(), coincide), sites.end());
   return sites;
 }
 
-/** \brief What is known of the sites in a square that has any. */
+/** \brief What sites a square with sites has. */
 struct SquareState {
   /** \brief Whether it has sites in the tile, and sites in its halo. */
   bool has_own = false, has_halo = false;
@@ -84,7 +85,8 @@ struct SquareState {
 
 using OccupiedSquares = std::map<Square, SquareState>;
 
-/** \param[in] sites sorted by squares */
+/** \brief Returns the squares that have sites.
+ * \param[in] sites sorted by squares */
 OccupiedSquares
 squaresOf (const std::vector<Site>& sites)
 {
@@ -99,8 +101,8 @@ squaresOf (const std::vector<Site>& sites)
   return squares;
 }
 
-/** \brief Calls visit (SquareState*) for all squares up to \p reach squares away along
- * u and v, with nullptr for a square without sites. */
+/** \brief Calls visit (SquareState*) for a square and all squares up to \p reach
+ * squares away along u and v, with nullptr for a square without sites. */
 template <typename Visit>
 void
 forSquaresAround (const Square& square,
@@ -115,10 +117,10 @@ forSquaresAround (const Square& square,
     }
 }
 
-/** \brief Sets SquareState::keeps_all of squares at the rim of the plane, and of those
- * near a border of tiles. There both tiles must have the same triangles, although a
- * site may be on the plane in one tile only: it must not change which other sites are
- * kept. */
+/** \brief Sets SquareState::keeps_all of squares at the rim of the plane, which have a
+ * neighbor without sites, and of squares near a border of tiles. There both tiles must
+ * have the same triangles. As a point may be on the plane in one tile only, it must not
+ * decide which other sites are kept. */
 void
 markUnthinned (OccupiedSquares& squares)
 {
@@ -128,11 +130,11 @@ markUnthinned (OccupiedSquares& squares)
   for (auto& [square, state] : squares) {
     bool is_at_rim = false;
     bool is_at_border = state.has_own && state.has_halo;
-    const auto compare = [&, has_own = state.has_own] (const SquareState* next) {
+    const auto note_neighbor = [&, has_own = state.has_own] (const SquareState* next) {
       is_at_rim = is_at_rim || next == nullptr;
       is_at_border = is_at_border || (next != nullptr && next->has_own != has_own);
     };
-    forSquaresAround (square, 1, squares, compare);
+    forSquaresAround (square, 1, squares, note_neighbor);
     state.keeps_all = state.keeps_all || is_at_rim;
     if (is_at_border)
       forSquaresAround (square, reach_of_triangles, squares, [] (SquareState* near) {
@@ -162,25 +164,53 @@ thinned (const std::vector<Site>& sites, OccupiedSquares& squares)
   return kept;
 }
 
-/** \brief Returns the largest circumradius of a triangle [edges of a cell]. A circle of
- * this radius has some 60 to 230 sites if a square has 0.5 to 32. The radius changes in
- * steps, so that tiles mostly use the same one. */
+/** \brief Returns the largest circumradius of a triangle [edges of a cell], by the
+ * density of the sites in a tile: a circle of this radius has some 60 to 230 sites if a
+ * square has 0.5 to 32. The radius changes in steps, so that tiles mostly use the same
+ * one. */
 double
 maxCircumradius (std::size_t sites, std::size_t squares)
 {
   const double sites_per_square = double (sites) / double (squares);
-  constexpr double dense = 8.0;
-  constexpr double sparse = 2.0;
-  return sites_per_square >= dense ? 1.5 : sites_per_square >= sparse ? 3.0 : 6.0;
+  constexpr double min_of_dense = 8.0;  // [sites per square]
+  constexpr double min_of_sparse = 2.0; // [sites per square]
+  return sites_per_square >= min_of_dense    ? 1.5
+         : sites_per_square >= min_of_sparse ? 3.0
+                                             : 6.0;
 }
 
-/** \brief Whether the outline encloses the Delaunay triangle of a Voronoi vertex, and
- * the triangle belongs to this tile: its circumradius is at most \p max_radius, and its
- * first site, by u and then v, is the tile's own. Sites on one circle are one polygon
- * instead of several triangles.
- * \param[in] max_radius [unit of the lattice] */
+/** \brief Removes sites so far from the first one that their coordinates relative to it
+ * do not fit into the 32 bits of the diagram. */
+void
+removeFarSites (std::vector<Site>& sites)
+{
+  const auto is_too_far = [u = sites.front().u,
+                           v = sites.front().v] (const Site& site) {
+    constexpr std::int64_t max_coordinate = 1 << 30;
+    return std::abs (site.u - u) > max_coordinate ||
+           std::abs (site.v - v) > max_coordinate;
+  };
+  sites.erase (std::remove_if (sites.begin(), sites.end(), is_too_far), sites.end());
+}
+
+/** \brief Makes the Voronoi diagram of the sites, in coordinates relative to the first
+ * one. */
+void
+fillDiagram (const std::vector<Site>& sites, Diagram& diagram)
+{
+  boost::polygon::voronoi_builder<std::int32_t> builder;
+  for (const Site& site : sites)
+    builder.insert_point (site.u - sites.front().u, site.v - sites.front().v);
+  builder.construct (&diagram);
+}
+
+/** \brief Whether the Delaunay triangle of a Voronoi vertex is part of the alpha shape
+ * and belongs to this tile: its circumradius is at most \p max_radius, and its first
+ * site, by u and then v, is the tile's own. Four and more sites on one circle are the
+ * corners of one polygon, which counts as a triangle.
+ * \param[in] max_radius [spacing of the lattice] */
 bool
-isKept (const Vertex& vertex, const std::vector<Site>& sites, double max_radius)
+isKept (const VoronoiVertex& vertex, const std::vector<Site>& sites, double max_radius)
 {
   const Site* first = nullptr;
   const Diagram::edge_type* edge = vertex.incident_edge();
@@ -192,7 +222,7 @@ isKept (const Vertex& vertex, const std::vector<Site>& sites, double max_radius)
   }
   while (edge != vertex.incident_edge());
   // The vertex is the circumcenter; its coordinates are relative to the first of all
-  // sites (outlineEdges).
+  // sites (fillDiagram).
   const double du = vertex.x() - double (first->u - sites.front().u);
   const double dv = vertex.y() - double (first->v - sites.front().v);
   return first->point.is_own && du * du + dv * dv <= max_radius * max_radius;
@@ -203,8 +233,8 @@ isKept (const Vertex& vertex, const std::vector<Site>& sites, double max_radius)
 double
 outlineUnit (double cell_edge)
 {
-  constexpr double by_moments_unit = 128.0;
-  return by_moments_unit * momentsUnit (cell_edge);
+  constexpr double in_moments_units = 128.0;
+  return in_moments_units * momentsUnit (cell_edge);
 }
 
 std::vector<OutlineEdge>
@@ -218,27 +248,16 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   OccupiedSquares squares = squaresOf (sites);
   const double max_radius = cell_edge * maxCircumradius (sites.size(), squares.size());
   sites = thinned (sites, squares);
-  // The diagram has 32-bit coordinates, relative to the first site.
-  const std::int64_t u = sites.front().u;
-  const std::int64_t v = sites.front().v;
-  const auto is_too_far = [u, v] (const Site& site) {
-    constexpr std::int64_t max_coordinate = 1 << 30;
-    return std::abs (site.u - u) > max_coordinate ||
-           std::abs (site.v - v) > max_coordinate;
-  };
-  sites.erase (std::remove_if (sites.begin(), sites.end(), is_too_far), sites.end());
-  boost::polygon::voronoi_builder<std::int32_t> builder;
-  for (const Site& site : sites)
-    builder.insert_point (site.u - u, site.v - v);
+  removeFarSites (sites);
   Diagram diagram;
-  builder.construct (&diagram);
+  fillDiagram (sites, diagram);
   constexpr std::size_t kept = 1;
-  for (const Vertex& vertex : diagram.vertices())
+  for (const VoronoiVertex& vertex : diagram.vertices())
     vertex.color (isKept (vertex, sites, max_radius) ? kept : 0);
   std::vector<OutlineEdge> edges;
   for (const Diagram::edge_type& edge : diagram.edges()) {
-    const Vertex* begin = edge.vertex0();
-    const Vertex* end = edge.vertex1();
+    const VoronoiVertex* begin = edge.vertex0();
+    const VoronoiVertex* end = edge.vertex1();
     const bool is_inside = begin != nullptr && begin->color() == kept;
     if (!is_inside || (end != nullptr && end->color() == kept))
       continue;

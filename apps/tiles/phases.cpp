@@ -16,8 +16,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Names of the folders in \ref RunFolder::work of the files that phases leave,
- * in the order of the phases. */
+/** \brief Names of the folders in \ref RunFolder::work with the files of phases, in the
+ * order of the phases. */
 constexpr const char* folders[] = {"cells", "planes", "labelled"};
 
 /** \brief Size of a word of \ref Checksum [bytes]. */
@@ -30,33 +30,34 @@ pointsSeenBy (const TileKey& tile, const SortedPoints& points)
   const BlockKey own{tile, TilePart::Own};
   const BlockKey halo{tile, TilePart::Halo};
   TilePoints seen{tile, {}, {}};
-  std::uint64_t count = 0;
+  std::uint64_t seen_count = 0;
   for (std::size_t input = 0; input < points.files.size(); ++input) {
-    const CellFile& file = points.files[input];
-    count += file.count (own) + file.count (halo);
+    const BlockFile& file = points.files[input];
+    seen_count += file.count (own) + file.count (halo);
     if (file.count (own) > 0)
       seen.own_of_inputs.push_back (
           {static_cast<std::uint32_t> (input), file.count (own)});
   }
-  seen.points.reserve (count);
+  seen.points.reserve (seen_count);
   for (const BlockKey& key : {own, halo})
-    for (const CellFile& file : points.files)
+    for (const BlockFile& file : points.files)
       file.read (key, seen.points);
   return seen;
 }
 
-/** \brief Returns a line with the checksum of a text. For the checksum the text is
- * padded by one to four spaces to whole words. */
+/** \brief Returns a line with the checksum of a text.
+ * \param[in] file that will have the text: its name is part of the checksum */
 std::string
 checksumLine (const std::string& file, std::string text)
 {
+  // A checksum is over whole words: one to four spaces fill the last one.
   text.resize ((text.size() / word_size + 1) * word_size, ' ');
   Checksum sum (file);
   sum.add (text.data(), text.size());
   return std::to_string (sum.value()) + "\n";
 }
 
-/** \brief Writes the number of each piece's plane in planes.json. */
+/** \brief Writes, for each piece of a tile, the number of its plane in planes.json. */
 void
 savePlaneNumbers (const std::string& file, const std::vector<std::uint32_t>& numbers)
 {
@@ -95,23 +96,23 @@ public:
   std::uint32_t
   next ()
   {
-    const std::uint64_t in_buffer = points_done_ % max_buffer;
-    if (in_buffer == 0)
+    const std::uint64_t position = points_done_ % max_buffer; // in the buffer
+    if (position == 0)
       fillBuffer();
-    if (in_buffer == buffer_.size())
+    if (position == buffer_.size())
       throw WorkError (file_, "has too few labels; remove its folder and run it again");
     ++points_done_;
-    const std::uint32_t piece = buffer_[in_buffer];
+    const std::uint32_t piece = buffer_[position];
     if (piece > plane_of_piece_.size())
       BinaryReader (file_).fail();
     return piece == 0 ? 0 : plane_of_piece_[piece - 1];
   }
 
 private:
-  static constexpr std::uint64_t max_buffer = 4096;
+  static constexpr std::uint64_t max_buffer = 4096; // [piece numbers]
 
-  /** \brief Reads up to max_buffer further piece numbers. After the last one it checks
-   * the checksum of the file. */
+  /** \brief Reads the next max_buffer piece numbers, or as many as there are. When the
+   * last one of the file is read, checks the checksum of the file. */
   void
   fillBuffer ()
   {
@@ -119,13 +120,14 @@ private:
     BinaryReader read (file_);
     if (read.size < (points_done_ + words_of_checksum) * word_size)
       read.fail();
-    const std::uint64_t left = read.size / word_size - words_of_checksum - points_done_;
-    buffer_.resize (std::min (max_buffer, left));
+    const std::uint64_t unread =
+        read.size / word_size - words_of_checksum - points_done_;
+    buffer_.resize (std::min (max_buffer, unread));
     read.stream.seekg (points_done_ * word_size);
-    read.sum = sum_;
+    read.sum = sum_; // continues the checksum of the numbers before
     read (buffer_.data(), buffer_.size());
     sum_ = read.sum;
-    if (buffer_.size() == left)
+    if (buffer_.size() == unread)
       read.finish();
   }
 
@@ -179,11 +181,14 @@ RunFolder::finish (
 {
   const std::string file = work (run_file::list);
   std::string list = readTextFile (file, "planes.json");
-  const std::size_t size = list.rfind ('\n', list.size() - 2) + 1; // without checksum
-  if (list.size() < 2 ||
-      list.substr (size) != checksumLine (file, list.substr (0, size)))
+  // The last line is the checksum of the lines before it.
+  const std::size_t begin_of_checksum = list.rfind ('\n', list.size() - 2) + 1;
+  const bool is_damaged =
+      list.size() < 2 || list.substr (begin_of_checksum) !=
+                             checksumLine (file, list.substr (0, begin_of_checksum));
+  if (is_damaged)
     BinaryReader (file).fail();
-  list.resize (size);
+  list.resize (begin_of_checksum);
   // Writes a string: a stream copied into a stream does not report a full disk.
   writeTextFile (output (planes_file), with_warnings (list));
   writeTextFile (work (run_file::end_mark), "");
@@ -194,19 +199,19 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
   const TileGrid& grid = plan.grid;
   PointFile points (plan.inputs[input].file);
-  writeFile (folder.cells (input), [&] (std::ostream& stream) {
-    CellFileWriter writer (stream, folder.cells (input));
+  writeFile (folder.blocks (input), [&] (std::ostream& stream) {
+    BlockFileWriter writer (stream, folder.blocks (input));
     points.forPositions ([&] (const Eigen::Vector3d& point) {
       if (!grid.reaches (point))
         return;
-      const auto add = [&] (const TileKey& tile, TilePart part) {
+      const auto add_to = [&] (const TileKey& tile, TilePart part) {
         const Eigen::Vector3d origin = grid.cornerOf (grid.frameOf (tile));
         writer.add ({tile, part}, (point - origin).cast<float>());
       };
       const CellKey cell = grid.cellOf (point);
-      add (grid.tileOf (cell), TilePart::Own);
-      grid.forTilesAround (cell,
-                           [&] (const TileKey& tile) { add (tile, TilePart::Halo); });
+      add_to (grid.tileOf (cell), TilePart::Own);
+      grid.forTilesAround (
+          cell, [&] (const TileKey& tile) { add_to (tile, TilePart::Halo); });
     });
     writer.finish();
     // Inside writeFile: if this throws, there is no file, and the phase is not done.
@@ -218,7 +223,7 @@ SortedPoints::SortedPoints (const Plan& plan, const RunFolder& folder)
 {
   std::map<TileKey, std::uint64_t> own_points;
   for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
-    const CellFile& file = files.emplace_back (folder.cells (input));
+    const BlockFile& file = files.emplace_back (folder.blocks (input));
     for (const auto& [key, blocks] : file.blocks)
       if (key.part == TilePart::Own)
         own_points[key.tile] += file.count (key);
@@ -239,7 +244,7 @@ measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& po
     measured_tiles.push_back (points.tiles[tile]);
   const auto points_of = [&] (const TileKey& tile) {
     std::vector<Eigen::Vector3f> own;
-    for (const CellFile& file : points.files)
+    for (const BlockFile& file : points.files)
       file.read ({tile, TilePart::Own}, own);
     return own;
   };
@@ -258,15 +263,15 @@ detectTile (const Plan& plan,
   if (const std::string file = folder.work (run_file::noise); isThere (file))
     noise = loadNoise (file);
   const TileDetection found = detectInTile (plan, noise, seen);
-  const std::uint32_t* of_input = found.piece_numbers.data();
+  const std::uint32_t* numbers_of_input = found.piece_numbers.data();
   for (const OwnPoints& own : seen.own_of_inputs) {
     const std::string file = folder.pieceNumbers (tile, own.input);
     writeFile (file, [&] (std::ostream& stream) {
       BinaryWriter write (stream, file);
-      write (of_input, own.count);
+      write (numbers_of_input, own.count);
       write.finish();
     });
-    of_input += own.count;
+    numbers_of_input += own.count;
   }
   saveTilePlanes (folder.ofTile (tile, ".planes"), found.planes);
 }
@@ -290,7 +295,8 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
   const TileGrid& grid = plan.grid;
   std::map<TileKey, TileLabels> labels_of_tiles;
-  auto last = labels_of_tiles.end(); // the next point is mostly in the same tile
+  // Those of the tile of the last point: the next point is mostly in the same tile.
+  auto last_labels = labels_of_tiles.end();
   checkIsAsPlanned (plan.inputs[input], folder);
   PointFile points (plan.inputs[input].file);
   const std::string output = outputOf (plan, folder, input);
@@ -298,9 +304,9 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
     if (!grid.reaches (point))
       return 0;
     const TileKey tile = grid.tileOf (grid.cellOf (point));
-    if (last == labels_of_tiles.end() || last->first != tile)
-      last = labels_of_tiles.try_emplace (tile, folder, tile, input).first;
-    return last->second.next();
+    if (last_labels == labels_of_tiles.end() || last_labels->first != tile)
+      last_labels = labels_of_tiles.try_emplace (tile, folder, tile, input).first;
+    return last_labels->second.next();
   });
   if (hasChanged (plan.inputs[input]))
     fs::remove (output);

@@ -26,8 +26,8 @@ inline constexpr const char* end_mark = "done";
 /** \brief Name of the list of planes among the outputs. */
 inline constexpr const char* planes_file = "planes.json";
 
-/** \brief Paths of the outputs of a run and of the files its phases leave. Inputs are
- * given by their positions in \ref Plan::inputs. */
+/** \brief Paths of the outputs of a run, and of the intermediate files that a phase
+ * writes for later ones. The parameter input is a position in \ref Plan::inputs. */
 struct RunFolder {
   /** \brief The folder of --output-dir. */
   std::string outputs;
@@ -46,16 +46,17 @@ struct RunFolder {
     return output ("work/" + name);
   }
 
-  /** \brief Path of the points of an input, sorted by tiles (\ref CellFileWriter). */
+  /** \brief Path of the points of an input, sorted by tiles (\ref BlockFileWriter). */
   std::string
-  cells (std::size_t input) const
+  blocks (std::size_t input) const
   {
     return work ("cells/" + std::to_string (input) + ".cells");
   }
 
   /** \brief Path of a file about a tile.
-   * \param[in] extension .planes for its \ref TilePlanes; .numbers for the number of
-   * each piece's plane in planes.json; or that of \ref pieceNumbers */
+   * \param[in] extension .planes for its \ref TilePlanes; .numbers for the list of the
+   * numbers that the planes of its pieces have in planes.json; or that of \ref
+   * pieceNumbers */
   std::string
   ofTile (const TileKey& tile, const std::string& extension) const
   {
@@ -92,9 +93,9 @@ struct RunFolder {
   std::error_code
   removePhaseFiles () const;
 
-  /** \brief Writes planes.json and the mark of a finished run, as the last phase.
-   * \param[in] with_warnings gets the text of the list of planes and returns it with
-   * warnings added
+  /** \brief Last phase: writes planes.json and the mark of a finished run.
+   * \param[in] with_warnings gets the text of the list of planes (\ref run_file::list)
+   * and returns it with warnings added
    * \throws WorkError if that list is damaged or a file cannot be written */
   void
   finish (const std::function<std::string (const std::string&)>& with_warnings) const;
@@ -108,7 +109,8 @@ isThere (const std::string& file)
   return std::filesystem::exists (file, error);
 }
 
-/** \brief First phase, for each input: sorts its points by the tiles that see them. */
+/** \brief First phase, for each input: writes the points in reach of the grid, sorted
+ * by the tiles that see them. */
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 
@@ -118,35 +120,36 @@ struct SortedPoints {
   SortedPoints (const Plan& plan, const RunFolder& folder);
 
   /** \brief One for each input. */
-  std::vector<CellFile> files;
-  /** \brief All tiles with own points (TilePart::Own) in ascending order, and how many
-   * each has. */
+  std::vector<BlockFile> files;
+  /** \brief All tiles with own points (TilePart::Own) in ascending order. */
   std::vector<TileKey> tiles;
+  /** \brief Number of own points of each of these tiles. */
   std::vector<std::uint64_t> points_of_tile;
 };
 
-/** \brief Writes the noise of the whole survey to a file for \ref detectTile. Writes
- * nothing on voxels, or for a single tile, which measures its own noise. */
+/** \brief Second phase, for the whole survey: writes its noise to a file for \ref
+ * detectTile. Writes nothing if planes are found on voxels, which need no noise of the
+ * survey, or if there is a single tile, which measures its own noise. */
 void
 measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
-/** \brief Phase for each tile: finds the planes of the points that it sees, and writes
- * the piece numbers of its own points and its pieces of planes. The file of pieces
- * comes last: it marks a finished tile. */
+/** \brief Third phase, for each tile: finds the planes of the points that it sees, and
+ * writes the piece numbers of its own points and its pieces of planes. The file of
+ * pieces comes last: it marks a finished tile. */
 void
 detectTile (const Plan& plan,
             const RunFolder& folder,
             const SortedPoints& points,
             const TileKey& tile);
 
-/** \brief Phase for the whole survey: joins the pieces of all tiles to planes, and
- * writes the plane of each piece and the list of planes. The list comes last: it marks
- * the finished phase. */
+/** \brief Fourth phase, for the whole survey: joins the pieces of all tiles to planes,
+ * and writes the plane of each piece and the list of planes. The list comes last: it
+ * marks the finished phase. */
 void
 joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
-/** \brief Phase for each input: writes it with the labels of its points, then the mark
- * of \ref RunFolder::labeledMark. */
+/** \brief Fifth phase, for each input: writes it with the labels of its points, then
+ * the mark of \ref RunFolder::labeledMark. */
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 

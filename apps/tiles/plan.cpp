@@ -24,8 +24,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Version of the format of all files that phases leave for each other: one more
- * with each change. */
+/** \brief Version of the format of the plan and of all files that phases write for
+ * later ones: one more with each change. */
 constexpr int format_version = 6;
 
 /** \brief Returns path, size and time of a file as they are now, but no number of
@@ -42,6 +42,7 @@ currentState (const std::string& file)
   return input;
 }
 
+/** \brief Whether the header of a .las or .laz says that it has no points. */
 bool
 isEmptyLas (const std::string& file)
 {
@@ -56,10 +57,14 @@ isEmptyLas (const std::string& file)
 std::vector<std::string>
 sorted (std::vector<std::string> files)
 {
-  std::sort (files.begin(), files.end(), [] (const auto& a, const auto& b) {
-    return std::pair (fs::path (a).filename().string(), a) <
-           std::pair (fs::path (b).filename().string(), b);
-  });
+  const auto name_and_path = [] (const std::string& file) {
+    return std::pair (fs::path (file).filename().string(), file);
+  };
+  std::sort (files.begin(),
+             files.end(),
+             [&] (const std::string& one, const std::string& other) {
+               return name_and_path (one) < name_and_path (other);
+             });
   return files;
 }
 
@@ -71,11 +76,12 @@ cellsOfTile (const PlanOptions& options, double cell_edge)
   // A tile has half a million points at the usual density, and needs some 500 MB; on
   // voxels it has 2 million, and needs some 300 MB.
   constexpr std::int64_t default_cells = 128;
-  constexpr std::int64_t default_on_voxels = 256;
+  constexpr std::int64_t default_cells_on_voxels = 256;
   if (!options.tile)
-    return options.voxel_size ? default_on_voxels : default_cells;
-  constexpr std::int64_t step = TileGrid::cells_of_coarsest;
-  const double cells = step * std::round (*options.tile / (step * cell_edge));
+    return options.voxel_size ? default_cells_on_voxels : default_cells;
+  constexpr std::int64_t multiple_of = TileGrid::cells_of_coarsest;
+  const double cells =
+      multiple_of * std::round (*options.tile / (multiple_of * cell_edge));
   if (cells < double (TileGrid::halo))
     throw UsageError ("--tile",
                       "is less than " + std::to_string (TileGrid::halo) +
@@ -107,14 +113,14 @@ checkReach (const TileGrid& grid,
                          grid.edge % grid.reach() % file));
 }
 
-/** \brief Returns the edge of a cell by \ref voxelSizeFor [m]; 0 if most points of the
- * sample coincide. For the parameters see \ref cellEdgeFor. */
+/** \brief Returns \ref cellEdgeFor before it is rounded [m]; 0 if most points of the
+ * sample coincide. */
 double
 unroundedCellEdgeFor (const std::vector<Eigen::Vector3d>& sample,
                       const Eigen::Vector3d& local_origin,
                       std::uint64_t points)
 {
-  constexpr double points_of_cell = 20.0;
+  constexpr double points_of_cell = 20.0; // on average
   pcl::PointCloud<pcl::PointXYZ> local_sample;
   local_sample.resize (sample.size());
   for (std::size_t i = 0; i < sample.size(); ++i)
@@ -123,14 +129,14 @@ unroundedCellEdgeFor (const std::vector<Eigen::Vector3d>& sample,
   return voxelSizeFor (CloudView (local_sample), wanted_cells);
 }
 
-/** \brief Returns the edge of a cell with about 20 points where it crosses a surface
- * [m], rounded to two digits. Twice the area with twice the points gives the same edge:
- * the number of points only says how many cells there should be. Measured on simulated
- * surveys: larger cells miss planes, smaller ones cost more.
+/** \brief Returns the edge of cells that have about 20 points if a surface crosses them
+ * [m], rounded to two digits. It follows from the density of the points: twice the area
+ * with twice the points gives the same edge. As measured on simulated surveys, with
+ * larger cells planes are missed, and smaller ones take more time.
  * \param[in] file an input, for messages
  * \param[in] sample an even sample of the finite points; most of them may coincide
- * \param[in] local_origin a position near most of them
- * \param[in] points number of all points
+ * \param[in] local_origin a position near most points of the sample
+ * \param[in] points number of all points of the survey
  * \throws WorkError if no point is finite, or all points of the sample coincide */
 double
 cellEdgeFor (const std::string& file,
@@ -144,24 +150,28 @@ cellEdgeFor (const std::string& file,
   if (!(edge > 0.0)) {
     // Most points coincide. The sample gets each position once; the number of points,
     // and so that of the cells, stays as it is.
-    std::sort (sample.begin(), sample.end(), [] (const auto& a, const auto& b) {
+    using Position = Eigen::Vector3d;
+    const auto is_before = [] (const Position& one, const Position& other) {
       return std::lexicographical_compare (
-          a.data(), a.data() + 3, b.data(), b.data() + 3);
-    });
+          one.data(), one.data() + 3, other.data(), other.data() + 3);
+    };
+    std::sort (sample.begin(), sample.end(), is_before);
     sample.erase (std::unique (sample.begin(), sample.end()), sample.end());
     edge = unroundedCellEdgeFor (sample, local_origin, points);
   }
   if (!(edge > 0.0))
     throw WorkError (file, "has its points at one place; give --voxel-size");
-  const double second_digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);
-  return std::round (edge / second_digit) * second_digit;
+  const double unit_of_second_digit =
+      std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);
+  return std::round (edge / unit_of_second_digit) * unit_of_second_digit;
 }
 
+/** \brief An input with some of its points. */
 struct InputSample {
   PlannedInput input;
-  /** \brief Finite points; empty if the input has none. */
+  /** \brief Sampled finite points; empty if the input has no finite points. */
   std::vector<Eigen::Vector3d> points;
-  /** \brief A position near most points, set for \ref firstWithPoints; else zero. */
+  /** \brief A position near most points; zero for inputs after \ref firstWithPoints. */
   Eigen::Vector3d local_origin = Eigen::Vector3d::Zero();
 };
 
@@ -182,9 +192,9 @@ std::vector<InputSample>
 sampleInputs (const std::vector<std::string>& files)
 {
   constexpr std::size_t usual_sample_size = 16384; // of all files together
-  constexpr std::size_t min_of_file = 64;
-  const std::size_t max_of_file = std::max (
-      min_of_file, usual_sample_size / std::max<std::size_t> (1, files.size()));
+  constexpr std::size_t min_per_file = 64;         // if there are many files
+  const std::size_t max_per_file = std::max (
+      min_per_file, usual_sample_size / std::max<std::size_t> (1, files.size()));
   std::vector<InputSample> samples;
   for (const std::string& file : files) {
     if (isEmptyLas (file)) {
@@ -197,7 +207,7 @@ sampleInputs (const std::vector<std::string>& files)
       throw WorkError (file, problem);
     const auto position = [&points] (std::uint64_t i) { return points.position (i); };
     InputSample sample{currentState (file),
-                       somePositions (points.size(), position, max_of_file)};
+                       somePositions (points.size(), position, max_per_file)};
     sample.input.points = points.size();
     if (samples.empty() || firstWithPoints (samples).points.empty())
       sample.local_origin = localOrigin (points.size(), position);
@@ -206,13 +216,12 @@ sampleInputs (const std::vector<std::string>& files)
   return samples;
 }
 
-/** \brief Joins the samples of all inputs, thinned to the same share of the points.
- * Inputs without finite points add nothing. */
+/** \brief Joins the samples of all inputs. They are thinned, so that the same share of
+ * the points of each input is in the sample. */
 std::vector<Eigen::Vector3d>
 evenSample (const std::vector<InputSample>& samples)
 {
-  // The input whose sample has the smallest share of its points limits the share of
-  // all.
+  // Share of the points of each input: that of the input with the smallest one.
   double share = 1.0;
   for (const InputSample& sample : samples)
     if (!sample.points.empty())
@@ -221,15 +230,15 @@ evenSample (const std::vector<InputSample>& samples)
   for (const InputSample& sample : samples) {
     const std::size_t size = sample.points.size();
     const double wanted = std::ceil (share * double (sample.input.points));
-    const std::size_t count = std::min (std::size_t (wanted), size);
-    for (std::size_t k = 0; k < count; ++k)
-      even.push_back (sample.points[k * size / count]);
+    const std::size_t kept = std::min (std::size_t (wanted), size);
+    for (std::size_t i = 0; i < kept; ++i)
+      even.push_back (sample.points[i * size / kept]);
   }
   return even;
 }
 
-/** \brief Reads a value from the reference system of every input. Returns nothing if
- * the values differ, or if an input is missing or no .las or .laz. */
+/** \brief Returns the value that \p read gives for every input. Returns nothing if the
+ * values differ, or if an input is missing or is no .las or .laz. */
 template <typename Value>
 std::optional<Value>
 commonToLas (const std::vector<PlannedInput>& inputs, Value (*read) (LasFile&))
@@ -248,9 +257,9 @@ commonToLas (const std::vector<PlannedInput>& inputs, Value (*read) (LasFile&))
   return common;
 }
 
-/** \brief Whether the grid and the unit of a plan that was read are in their ranges. */
+/** \brief Whether the lengths of a plan file are valid. */
 bool
-isInRange (const Plan& plan)
+hasValidLengths (const Plan& plan)
 {
   const TileGrid& grid = plan.grid;
   const bool is_edge_valid = grid.edge > 0.0 && std::isfinite (grid.edge);
@@ -292,10 +301,10 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
     checkReach (grid, sample.input.file, sample.points);
   // The cell near local_origin, set below, must be in reach, too.
   checkReach (grid, first.input.file, {local_origin});
-  constexpr std::int64_t step = TileGrid::cells_of_coarsest;
+  constexpr std::int64_t multiple_of = TileGrid::cells_of_coarsest;
   for (int axis = 0; axis < 3; ++axis)
     grid.cell_near_points[axis] =
-        step * std::llround (local_origin[axis] / (step * grid.edge));
+        multiple_of * std::llround (local_origin[axis] / (multiple_of * grid.edge));
   std::set<TileKey> tiles;
   for (const Eigen::Vector3d& point : even_sample)
     if (grid.reaches (point))
@@ -354,7 +363,7 @@ loadPlan (const PlanFile& file)
                               input.at ("bytes"),
                               input.at ("written"),
                               input.at ("points")});
-    if (isInRange (plan))
+    if (hasValidLengths (plan))
       return plan;
   }
   catch (const nlohmann::json::exception&) {

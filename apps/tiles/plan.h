@@ -14,9 +14,12 @@ namespace pcl_ops::apps {
 struct PlannedInput {
   /** \brief Absolute path. */
   std::string file;
+  /** \brief Size of the file. */
   std::uint64_t bytes = 0;
-  /** \brief Time of the last change of the file [ns]. */
+  /** \brief Time of the last change of the file [ns], since the epoch of the file
+   * system's clock. */
   std::int64_t changed_at = 0;
+  /** \brief Number of points, also of those that are not finite. */
   std::uint64_t points = 0;
 };
 
@@ -28,11 +31,11 @@ hasChanged (const PlannedInput& input);
 struct Plan {
   /** \brief Sorted by file name. */
   std::vector<PlannedInput> inputs;
-  /** \brief Its \ref TileGrid::cell_near_points is near most points of the first input
-   * that has finite points. */
+  /** \brief The cells and tiles of the survey. \ref TileGrid::cell_near_points is near
+   * most points of the first input that has finite points. */
   TileGrid grid;
-  /** \brief Number of tiles with points of the sample that \ref makePlan takes; all
-   * points may be in more tiles. */
+  /** \brief Number of tiles that have points of the sample that \ref makePlan takes;
+   * the other points may be in further tiles. */
   std::uint64_t likely_tiles = 0;
   /** \brief Whether planes are found on voxels, because --voxel-size was given. */
   bool is_on_voxels = false;
@@ -58,6 +61,7 @@ struct PlanFile {
   std::string fix;
 };
 
+/** \brief What the user gives for a plan. */
 struct PlanOptions {
   /** \brief Edge of a voxel, which is a cell of the grid [m]. Not given: the density of
    * the points decides. */
@@ -86,7 +90,8 @@ commonCrs (const Plan& plan);
 std::string
 toText (const Plan& plan);
 
-/** \throws WorkError if the file cannot be read or is no plan of this version */
+/** \brief Reads a plan file.
+ * \throws WorkError if the file cannot be read or is no plan of this version */
 Plan
 loadPlan (const PlanFile& file);
 

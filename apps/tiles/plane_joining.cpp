@@ -41,14 +41,14 @@ public:
 
   /** \brief Joins the groups of two pieces if \ref mergePlanes merges them. */
   void
-  join (std::size_t a, std::size_t b)
+  join (std::size_t piece, std::size_t other)
   {
-    const auto [first, second] = std::minmax ({rootOf (a), rootOf (b)});
+    const auto [first, second] = std::minmax ({rootOf (piece), rootOf (other)});
     if (first == second)
       return;
-    // With a threshold of 0 no pair passes the test of centroids: beside the angle only
-    // the noise decides. Its factor is that of Sampling::Surfels, also for tiles that
-    // were searched on neighborhoods.
+    // With a threshold of 0 no pair passes the test by the distances of centroids: only
+    // the angle and the noise decide. The factor is that of Sampling::Surfels, also for
+    // tiles that were searched on neighborhoods.
     MergingParameters by_noise;
     by_noise.distance_threshold = 0.0;
     by_noise.noise_factor = 1.5;
@@ -71,9 +71,11 @@ private:
   std::vector<Moments> moments_;
 };
 
-/** \brief Adds the pairs of pieces of two tiles that share at least three cells.
- * \param[in] a, b border voxels of the tiles
- * \param[in] first_of_a, first_of_b positions of the tiles' first pieces among all pieces
+/** \brief Adds the pairs of pieces of two tiles, a and b, that both have points in at
+ * least three cells.
+ * \param[in] a, b border voxels of the tiles, in ascending order
+ * \param[in] first_of_a, first_of_b positions of the first pieces of the tiles among all
+ * pieces
  */
 void
 addPairs (const std::vector<BorderVoxel>& a,
@@ -107,7 +109,8 @@ pairsOf (const std::vector<TileKey>& tiles,
          const std::vector<std::size_t>& first_piece,
          const std::function<TilePlanes (const TileKey&)>& load)
 {
-  // To four of the eight neighbors: so each pair of tiles is visited once.
+  // Steps to four of the eight neighbors of a tile: so each pair of tiles is visited
+  // once.
   constexpr std::array<TileKey, 4> steps = {{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
   std::vector<PiecePair> pairs;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -127,21 +130,21 @@ pairsOf (const std::vector<TileKey>& tiles,
                 pairs);
     }
   }
-  std::stable_sort (
-      pairs.begin(), pairs.end(), [] (const PiecePair& a, const PiecePair& b) {
-        return a.shared_cells > b.shared_cells;
-      });
+  const auto shares_more = [] (const PiecePair& one, const PiecePair& other) {
+    return one.shared_cells > other.shared_cells;
+  };
+  std::stable_sort (pairs.begin(), pairs.end(), shares_more);
   return pairs;
 }
 
-/** \brief Adds a piece to its plane, and moves its edges there. Is called for all
- * pieces of a tile before those of the next tile. */
+/** \brief Adds a piece to its plane, and moves its edges there. Has to be called for
+ * all pieces of a tile before those of the next tile. */
 void
 addPiece (TilePiece& piece, const TileKey& tile, JoinedPlane& plane)
 {
   const bool is_first = plane.tiles.empty();
   if (is_first) {
-    plane.moments.unit = piece.own_moments.unit;
+    plane.moments.unit = piece.own_moments.unit; // the same for all pieces
     plane.normal = piece.normal;
     plane.fit = fitPlane (piece.seen_moments).value_or (PlaneFit());
   }
@@ -164,6 +167,7 @@ addPiece (TilePiece& piece, const TileKey& tile, JoinedPlane& plane)
 std::vector<std::uint32_t>
 planeNumbersOf (const std::vector<TilePiece>& pieces, PieceGroups& groups)
 {
+  // Number of points of each group, for the first piece of the group.
   std::vector<ExactMoments::Int128> points (pieces.size());
   std::vector<std::size_t> roots;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -172,9 +176,10 @@ planeNumbersOf (const std::vector<TilePiece>& pieces, PieceGroups& groups)
     if (root == i)
       roots.push_back (i);
   }
-  std::stable_sort (roots.begin(), roots.end(), [&] (std::size_t a, std::size_t b) {
-    return points[a] > points[b];
-  });
+  const auto is_larger = [&] (std::size_t one, std::size_t other) {
+    return points[one] > points[other];
+  };
+  std::stable_sort (roots.begin(), roots.end(), is_larger);
   std::vector<std::uint32_t> numbers (pieces.size());
   for (std::size_t plane = 0; plane < roots.size(); ++plane)
     numbers[roots[plane]] = plane + 1;
@@ -190,7 +195,8 @@ joinPlanes (const std::vector<TileKey>& tiles,
             const std::function<TilePlanes (const TileKey&)>& load)
 {
   std::vector<TilePiece> pieces;
-  std::vector<std::size_t> first_piece;
+  std::vector<std::size_t>
+      first_piece; // of each tile, by its position among all pieces
   for (const TileKey& tile : tiles) {
     first_piece.push_back (pieces.size());
     for (TilePiece& piece : load (tile).pieces)

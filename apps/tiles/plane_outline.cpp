@@ -22,15 +22,16 @@ namespace {
 /** \brief A corner of the outline with the edges that begin at it. */
 struct Corner {
   Eigen::Vector2d point;
-  /** \brief Ends of those edges that \ref follow has not taken yet. */
+  /** \brief Ends of those edges that \ref followEdges has not taken yet. */
   std::vector<Corner*> next;
-  /** \brief Whether the corner is on the path of \ref follow. */
+  /** \brief Whether the corner is on the path of \ref followEdges. */
   bool is_on_path = false;
 
   /** \brief Removes an edge from the corner and returns its end. Of several edges it
    * takes the one along the same part of the plane: the next one clockwise from the
-   * direction to \p previous, the corner before this one on the path; if that is
-   * nullptr, the first edge. */
+   * direction to \p previous.
+   * \param[in] previous the corner before this one on the path; nullptr: the first edge
+   * is taken */
   Corner*
   takeNext (const Corner* previous)
   {
@@ -44,9 +45,10 @@ struct Corner {
     };
     auto taken = next.begin();
     if (previous != nullptr && next.size() > 1)
-      taken = std::min_element (next.begin(), next.end(), [&] (auto* a, auto* b) {
-        return clockwise_turn_to (a) < clockwise_turn_to (b);
-      });
+      taken = std::min_element (
+          next.begin(), next.end(), [&] (const Corner* one, const Corner* other) {
+            return clockwise_turn_to (one) < clockwise_turn_to (other);
+          });
     Corner* const end = *taken;
     next.erase (taken);
     return end;
@@ -58,7 +60,7 @@ struct Corner {
  * ring. If as many edges end at each corner as begin there, the path ends where it
  * began, and all its edges are in rings; else edges remain on the path and are lost. */
 void
-follow (Corner* corner, std::vector<PlanarPoints>& rings)
+followEdges (Corner* corner, std::vector<PlanarPoints>& rings)
 {
   std::vector<Corner*> path;
   for (;;) {
@@ -83,8 +85,9 @@ follow (Corner* corner, std::vector<PlanarPoints>& rings)
 }
 
 /** \brief Returns the rings along the edges that remain after opposite ones cancel. A
- * ring visits no corner twice. Edges that are in no ring are left out (\ref follow).
- * \param[in] unit spacing of the lattice [m] */
+ * ring visits no corner twice. Edges that are in no ring are left out (\ref
+ * followEdges).
+ * \param[in] unit of the coordinates of the edges [m] */
 std::vector<PlanarPoints>
 ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, double unit)
 {
@@ -112,7 +115,7 @@ ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, doub
   std::vector<PlanarPoints> rings;
   for (auto& [position, corner] : corners)
     while (!corner.next.empty())
-      follow (&corner, rings);
+      followEdges (&corner, rings);
   return rings;
 }
 
@@ -122,11 +125,12 @@ ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, doub
 PlanarPoints
 withoutSpikes (const PlanarPoints& ring, double unit)
 {
-  // Each coordinate may be rounded to two neighboring numbers, so the two points are up
-  // to sqrt (3) units apart. The rest is a margin.
+  // Two tiles may round each coordinate of a point to two neighboring numbers, so that
+  // the corners are up to sqrt (3) units apart. The rest is a margin.
   constexpr double max_rounding = 4.0; // [unit]
-  const auto are_same = [unit] (const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return (a - b).norm() < max_rounding * unit;
+  const auto are_same = [unit] (const Eigen::Vector2d& one,
+                                const Eigen::Vector2d& other) {
+    return (one - other).norm() < max_rounding * unit;
   };
   PlanarPoints kept;
   for (const Eigen::Vector2d& corner : ring) {
@@ -134,8 +138,8 @@ withoutSpikes (const PlanarPoints& ring, double unit)
     while (kept.size() > 2 && are_same (kept[kept.size() - 3], kept.back()))
       kept.resize (kept.size() - 2);
   }
-  // The ring is closed: its last or its first corner may be the tip of a spike, and
-  // once a tip is removed, the one or the other may be the next tip.
+  // The ring is closed, so that its last or its first corner may be the tip of a spike,
+  // again and again after a tip is removed.
   while (kept.size() > 2)
     if (are_same (kept[kept.size() - 2], kept.front()))
       kept.resize (kept.size() - 2);
@@ -146,20 +150,22 @@ withoutSpikes (const PlanarPoints& ring, double unit)
   return kept;
 }
 
-/** \brief Moves each corner by a distance [m] to the right of its two sides, along
- * their bisector: a part grows, a hole shrinks. */
+/** \brief Moves each corner by a distance [m] to the right of the two sides that meet
+ * there, along their bisector: a part grows, a hole shrinks. */
 PlanarPoints
 movedOutwards (const PlanarPoints& ring, double distance)
 {
-  const auto right_of = [&] (std::size_t i) {
+  // Unit vector to the right of the side that begins at a corner.
+  const auto right_of_side = [&] (std::size_t i) {
     const Eigen::Vector2d side = ring[(i + 1) % ring.size()] - ring[i % ring.size()];
     return Eigen::Vector2d (side.y(), -side.x()).normalized();
   };
   PlanarPoints moved;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    moved.push_back (ring[i] +
-                     distance *
-                         (right_of (i + ring.size() - 1) + right_of (i)).normalized());
+    moved.push_back (
+        ring[i] +
+        distance *
+            (right_of_side (i + ring.size() - 1) + right_of_side (i)).normalized());
   return moved;
 }
 
@@ -177,6 +183,7 @@ struct SignedRing {
   {
     geometry::envelope (corners, box);
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      // The signed area of a triangle with corner 0.
       const Eigen::Vector2d a = ring[i] - ring[0];
       const Eigen::Vector2d b = ring[i + 1] - ring[0];
       area += 0.5 * (a.x() * b.y() - a.y() * b.x());
@@ -194,7 +201,8 @@ struct SignedRing {
   }
 };
 
-/** \brief Returns the rings without spikes, by falling absolute area. */
+/** \brief Returns the rings without spikes, by falling absolute area.
+ * \param[in] unit as for \ref withoutSpikes [m] */
 std::vector<SignedRing>
 signedRings (const std::vector<PlanarPoints>& rings_with_spikes, double unit)
 {
@@ -202,14 +210,15 @@ signedRings (const std::vector<PlanarPoints>& rings_with_spikes, double unit)
   for (const PlanarPoints& with_spikes : rings_with_spikes)
     if (const PlanarPoints ring = withoutSpikes (with_spikes, unit); ring.size() >= 3)
       rings.emplace_back (ring);
-  std::stable_sort (rings.begin(), rings.end(), [] (const auto& a, const auto& b) {
-    return std::abs (a.area) > std::abs (b.area);
-  });
+  const auto is_larger = [] (const SignedRing& one, const SignedRing& other) {
+    return std::abs (one.area) > std::abs (other.area);
+  };
+  std::stable_sort (rings.begin(), rings.end(), is_larger);
   return rings;
 }
 
-/** \brief Returns the position of the smallest part around a hole. If no other part is
- * around it, the largest part is returned without a test, which would be slow.
+/** \brief Returns the position of the smallest part around a hole. If no smaller part
+ * is around it, it is the largest part, for which the slow test is left out.
  * \param[in] parts by falling area, at least one */
 std::size_t
 partAround (const SignedRing& hole, const std::vector<SignedRing>& parts)
@@ -233,7 +242,7 @@ outlineOf (const std::vector<OutlineEdge>& edges,
       signedRings (ringsAlong (edges, frame, unit), unit);
   std::vector<SignedRing> parts;
   std::vector<PlanarRings> outline;
-  double area = 0.0;
+  double area = 0.0; // of all parts, without their holes
   for (const SignedRing& ring : rings) {
     const bool is_part = ring.area > 0.0 && (parts.empty() || ring.area >= min_area);
     if (!is_part)

@@ -11,12 +11,14 @@ namespace pcl_ops::apps {
 
 /** \brief Returns the parts of a plane, each with its holes, by falling area of their
  * outer rings. On average the outermost points lie inside the real boundary of the
- * plane by 0.3 of their spacing. Corners are moved outwards by that distance.
- * \param[in] edges of all tiles, between points of a lattice; opposite ones cancel
+ * plane by 0.3 of the spacing of the points. Corners are moved outwards by that
+ * distance.
+ * \param[in] edges of all tiles; opposite ones cancel
  * \param[in] frame of the plane, in which the plane is to the left of the edges
- * \param[in] unit spacing of that lattice (\ref outlineUnit) [m]
+ * \param[in] unit of the coordinates of the edges (\ref outlineUnit) [m]
  * \param[in] points number of points on the plane, which gives their spacing
- * \param[in] min_area of a hole, and of a part other than the largest [m^2] */
+ * \param[in] min_area of a hole, and of a part other than the largest: smaller ones are
+ * left out [m^2] */
 std::vector<PlanarRings>
 outlineOf (const std::vector<OutlineEdge>& edges,
            const PlaneFrame& frame,

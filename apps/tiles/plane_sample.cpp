@@ -15,7 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /** \brief Returns a plane with the centroid and covariance of all its points, but the
- * count of its sampled ones, so that the spacing of points is that of the sample. */
+ * number of its sampled points as the count, so that the spacing of points is that of
+ * the sample. */
 PlaneSegment
 sampledSegment (const Json& plane, std::size_t sampled_points)
 {
@@ -32,7 +33,8 @@ sampledSegment (const Json& plane, std::size_t sampled_points)
   return segment;
 }
 
-/** \brief Returns the group of each plane, its position in the list, by its label. */
+/** \brief Returns a map from the label of each plane to its group: its position in the
+ * list. */
 std::map<std::uint32_t, std::size_t>
 groupsIn (const Json& planes)
 {
@@ -42,8 +44,10 @@ groupsIn (const Json& planes)
   return groups;
 }
 
+/** \brief Returns the sampled points of each plane in a list, then those on no plane.
+ */
 std::vector<SampledPoints>
-sampledPoints (const Json& list,
+sampledGroups (const Json& list,
                const ForEachLabeledPoint& for_each_point,
                std::size_t max_points)
 {
@@ -95,26 +99,26 @@ samplePlanes (const Json& list,
               std::size_t max_points)
 {
   PlaneSample sample;
-  sample.points = sampledPoints (list, for_each_point, max_points);
-  const Eigen::Vector3d shift = originOf (sample.points);
+  sample.groups = sampledGroups (list, for_each_point, max_points);
+  const Eigen::Vector3d shift = originOf (sample.groups);
   sample.shifted = {XyzCloud::Ptr (new XyzCloud), shift};
   XyzCloud& cloud = *sample.shifted.cloud;
   // A survey has no single sensor: with one far above, pictures are views from above.
   constexpr float far_above = 1e9f; // [m]
   cloud.sensor_origin_.z() = far_above;
   const Json& planes = list.at ("planes");
-  for (std::size_t i = 0; i < sample.points.size(); ++i) {
-    const std::size_t first = cloud.size();
-    for (const Eigen::Vector3d& point : sample.points[i].positions) {
+  for (std::size_t group = 0; group < sample.groups.size(); ++group) {
+    const std::size_t first_of_group = cloud.size();
+    for (const Eigen::Vector3d& point : sample.groups[group].positions) {
       const Eigen::Vector3f local = (point - shift).cast<float>();
       cloud.push_back (pcl::PointXYZ (local.x(), local.y(), local.z()));
     }
-    const bool is_on_no_plane = i == planes.size();
+    const bool is_on_no_plane = group == planes.size();
     if (is_on_no_plane)
       break;
-    PlaneSegment& segment =
-        sample.planes.emplace_back (sampledSegment (planes[i], cloud.size() - first));
-    for (std::size_t inlier = first; inlier < cloud.size(); ++inlier)
+    PlaneSegment& segment = sample.planes.emplace_back (
+        sampledSegment (planes[group], cloud.size() - first_of_group));
+    for (std::size_t inlier = first_of_group; inlier < cloud.size(); ++inlier)
       segment.inliers.push_back (static_cast<pcl::index_t> (inlier));
   }
   return sample;

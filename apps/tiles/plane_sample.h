@@ -18,29 +18,30 @@ namespace pcl_ops::apps {
  * never all in memory. */
 using ForEachLabeledPoint = std::function<void (const VisitLabeledPosition&)>;
 
-/** \brief Planes with some of their points. */
+/** \brief The planes of a survey with some of their points. */
 struct PlaneSample {
   /** \brief The sample as a cloud: plane after plane, then the points on no plane. */
   ShiftedCloud shifted;
-  /** \brief In the frame of the survey. Inliers are indices into the cloud. Moments
-   * have the centroid and covariance of all points of the plane, but the count of the
-   * sampled ones. */
+  /** \brief The planes in the frame of the survey. Inliers are indices into the cloud.
+   * Moments have the centroid and covariance of all points of the plane, but the number
+   * of sampled points as their count. */
   std::vector<PlaneSegment> planes;
   /** \brief The points of the cloud in the frame of the survey: a group for each plane,
    * then one for the points on no plane. */
-  std::vector<SampledPoints> points;
+  std::vector<SampledPoints> groups;
 };
 
 /** \brief Reads normal, centroid, number of points and orientation of a plane.
+ * \return a plane without inliers
  * \param[in] plane as \ref planeObject has written it */
 PlaneSegment
 segmentIn (const nlohmann::ordered_json& plane);
 
-/** \brief Samples the points of the planes in a list (\ref PointSample). Points of
- * planes that are not in the list count as points on no plane.
+/** \brief Samples the points of a survey by the planes in a list (\ref PointSample).
+ * Points of planes that are not in the list count as points on no plane.
  * \param[in] list as \ref toJson writes it for joined planes: "points" is the number of
  * points of the survey, "planes" an array of \ref planeObject, each with "moments"
- * \param[in] max_points of the sample, those of all planes and of none together
+ * \param[in] max_points largest number of points of the sample
  * \throws WorkError as \p for_each_point does */
 PlaneSample
 samplePlanes (const nlohmann::ordered_json& list,

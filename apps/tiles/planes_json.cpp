@@ -25,8 +25,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief Returns the plane with its normal towards the zero of the frame. Later \ref
- * turnUp turns the normals of planes that are not vertical. */
+/** \brief Returns the plane with its normal towards zero of the frame. In \ref toJson
+ * turnUp then turns normals of planes that are not vertical. */
 PlaneSegment
 segmentOf (const JoinedPlane& plane)
 {
@@ -47,8 +47,9 @@ struct PartedExtent {
   Polygons other_parts;
 };
 
-/** \param[in] segment its centroid and normal are those of the frame of the extent;
- * edges of a plane with the opposite normal are reversed */
+/** \brief Returns the extent of a joined plane.
+ * \param[in] segment the same plane, perhaps with the opposite normal: from the side that
+ * it points to, the hull is counter-clockwise */
 PartedExtent
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {
@@ -57,6 +58,7 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
   if (plane.normal.dot (segment.normal) < 0.0)
     for (OutlineEdge& edge : edges)
       std::swap (edge.from, edge.to);
+  // Parts and holes with a smaller area than a square of this width are left out.
   constexpr double min_width_in_cells = 1.5;
   const double min_area = std::pow (min_width_in_cells * plan.grid.edge, 2);
   const std::vector<PlanarRings> outline = outlineOf (
@@ -69,19 +71,21 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
   PlaneExtent& whole = parted.extent;
   whole.area = 0.0;
   for (const PlanarRings& part : outline) {
-    PlaneExtent of_part = pcl_ops::extentOf (part, part.front(), frame);
-    whole.area += of_part.area;
+    PlaneExtent extent_of_part = pcl_ops::extentOf (part, part.front(), frame);
+    whole.area += extent_of_part.area;
     const bool is_largest = &part == &outline.front();
     if (is_largest) {
-      whole.hull = std::move (of_part.hull);
-      whole.holes = std::move (of_part.holes);
+      whole.hull = std::move (extent_of_part.hull);
+      whole.holes = std::move (extent_of_part.holes);
     }
     else
-      parted.other_parts.push_back (of_part.rings());
+      parted.other_parts.push_back (extent_of_part.rings());
   }
   return parted;
 }
 
+/** \brief Returns the entry of a plane in planes.json.
+ * \param[in] id number of the plane, from 1 on */
 Json
 toObject (const Plan& plan,
           std::size_t id,
@@ -117,15 +121,15 @@ kindIn (const Json& plane)
 Dropped
 choosePlanes (const PlaneChoice& choice, Json& list)
 {
-  const Json all = std::move (list.at ("planes"));
+  const Json all_planes = std::move (list.at ("planes"));
   std::vector<PlaneSegment> segments;
   std::vector<PlaneKind> kinds;
-  for (const Json& plane : all) {
+  for (const Json& plane : all_planes) {
     segments.push_back (segmentIn (plane));
     kinds.push_back (kindIn (plane));
   }
   const auto extent_of = [&] (const PlaneSegment& segment) {
-    const Json& plane = all[std::size_t (&segment - segments.data())];
+    const Json& plane = all_planes[std::size_t (&segment - segments.data())];
     PlaneExtent extent;
     plane.at ("area").get_to (extent.area);
     plane.at ("extent").at ("length").get_to (extent.length);
@@ -136,13 +140,14 @@ choosePlanes (const PlaneChoice& choice, Json& list)
   Json chosen = Json::array();
   for (const std::size_t i :
        chosenOf (choice, segments, kinds, Eigen::Vector3d::UnitZ(), extent_of, dropped))
-    chosen.push_back (all[i]);
+    chosen.push_back (all_planes[i]);
   if (!dropped.by_option.empty())
     list["dropped"] = toObject (dropped);
   list["planes"] = std::move (chosen);
   return dropped;
 }
 
+/** \brief Writes the picture of --image: the planes from above. */
 void
 saveImage (const std::string& file, const Json& planes)
 {
@@ -159,6 +164,7 @@ saveImage (const std::string& file, const Json& planes)
   savePng (file, mapPicture (std::move (shapes)));
 }
 
+/** \brief Writes the page of --view. */
 void
 saveView (const std::string& file,
           const std::string& title,
@@ -176,7 +182,7 @@ saveView (const std::string& file,
                   sample.planes,
                   std::move (planes),
                   Eigen::Vector3f::UnitZ(),
-                  sample.points});
+                  sample.groups});
 }
 
 std::size_t
@@ -188,13 +194,14 @@ countOfKind (PlaneKind kind, const Json& planes)
       }));
 }
 
+/** \brief Finds the floor plan of the planes in a list, writes it and returns it. */
 FloorPlan
 findAndSaveFloorPlan (const PlanesOutput& output,
                       const std::string& title,
                       const Json& list,
                       const ForEachLabeledPoint& for_each_point)
 {
-  // Some hundred points per square meter of the walls of a large building.
+  // Enough for some hundred points per square meter of the walls of a large building.
   constexpr std::size_t sample_size = 4'000'000;
   const PlaneSample sample = samplePlanes (list, for_each_point, sample_size);
   std::vector<PlaneKind> kinds;
@@ -203,14 +210,19 @@ findAndSaveFloorPlan (const PlanesOutput& output,
     kinds.push_back (kindIn (plane));
     ids.push_back (plane.at ("id").get<std::uint32_t>());
   }
-  const FloorPlan plan = findFloorPlan (*sample.shifted.cloud,
-                                        sample.planes,
-                                        kinds,
-                                        Eigen::Vector3d::UnitZ(),
-                                        output.of_plan,
-                                        sample.shifted.shift);
-  savePlan (output.floor_plan, plan, ids, title, output.map.crs, output.of_plan.meter);
-  return plan;
+  const FloorPlan floor_plan = findFloorPlan (*sample.shifted.cloud,
+                                              sample.planes,
+                                              kinds,
+                                              Eigen::Vector3d::UnitZ(),
+                                              output.of_floor_plan,
+                                              sample.shifted.shift);
+  savePlan (output.floor_plan,
+            floor_plan,
+            ids,
+            title,
+            output.map.crs,
+            output.of_floor_plan.meter);
+  return floor_plan;
 }
 
 /** \brief Returns the name of the folder that a file is in. */
@@ -220,6 +232,7 @@ folderOf (const std::string& file)
   return fs::absolute (file).lexically_normal().parent_path().filename().string();
 }
 
+/** \brief Returns "1 plane", "2 planes" and so on. */
 std::string
 countedPlanes (std::size_t planes)
 {
@@ -276,11 +289,11 @@ try {
   if (!output.view.empty())
     saveView (output.view, folderOf (list_file), list, for_each_point);
   if (!output.floor_plan.empty()) {
-    const FloorPlan plan =
+    const FloorPlan floor_plan =
         findAndSaveFloorPlan (output, folderOf (list_file), list, for_each_point);
-    counts.walls = plan.walls.size();
+    counts.walls = floor_plan.walls.size();
     counts.wall_planes_kept = countOfKind (PlaneKind::Wall, list.at ("planes"));
-    messages.file_notes.push_back (output.floor_plan + ": " + contentOf (plan));
+    messages.file_notes.push_back (output.floor_plan + ": " + contentOf (floor_plan));
     putWarningOnPlan (counts, messages.warnings);
   }
   if (!output.planes.empty())

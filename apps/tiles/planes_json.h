@@ -13,7 +13,7 @@
 namespace pcl_ops::apps {
 
 /** \brief Returns the text of planes.json, without warnings.
- * \param[in] tiles number of tiles with points */
+ * \param[in] tiles number of tiles that have points */
 std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);
 
@@ -25,7 +25,8 @@ struct RequestedFile {
 
 /** \brief Options for the files that are written from the list of planes. */
 struct PlanesOutput {
-  /** \brief A list of planes, .json, .csv, .geojson or .gpkg; empty for none. */
+  /** \brief File of a list of planes, .json, .csv, .geojson or .gpkg; empty for none.
+   */
   std::string planes;
   /** \brief A picture of the planes, .png; empty for none. */
   std::string image;
@@ -33,12 +34,12 @@ struct PlanesOutput {
   std::string view;
   /** \brief A floor plan, .dxf, .svg, .geojson or .gpkg; empty for none. */
   std::string floor_plan;
-  FloorPlanParameters of_plan;
+  FloorPlanParameters of_floor_plan;
   /** \brief Which planes to write. */
   PlaneChoice choice;
   MapOptions map;
 
-  /** \brief Returns the files that are asked for. */
+  /** \brief Returns the files that are not empty, in the order above. */
   std::vector<RequestedFile>
   files () const
   {

@@ -16,7 +16,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The points of a file: read on demand from a .las, else all in memory. */
+/** \brief The points of a file: read from the file when needed if it is a .las or .laz,
+ * else all in memory. */
 struct PointFile {
   /** \throws UsageError or WorkError as \ref loadCloud */
   explicit PointFile (const std::string& file)
@@ -31,7 +32,7 @@ struct PointFile {
     return las ? las->size() : cloud.size();
   }
 
-  /** \brief Returns the coordinates of a point, by its index; NaN if it has none. */
+  /** \brief Returns the coordinates of a point, by its index; they may be NaN. */
   Eigen::Vector3d
   position (std::uint64_t point)
   {

@@ -18,8 +18,10 @@ namespace pcl_ops::apps {
 
 #ifdef PCL_OPS_WITH_MPI
 struct Ranks::State {
-  // false: an exception does not abort all ranks; main reports it, then calls endAll.
-  boost::mpi::environment environment{boost::mpi::threading::funneled, false};
+  // main reports an exception first, then calls endAll.
+  static constexpr bool exception_aborts_all = false;
+  boost::mpi::environment environment{boost::mpi::threading::funneled,
+                                      exception_aborts_all};
   boost::mpi::communicator world;
 };
 #endif
@@ -72,16 +74,18 @@ shareOf (std::size_t rank,
 {
   std::vector<std::size_t> parts (work_of_part.size());
   std::iota (parts.begin(), parts.end(), std::size_t (0));
-  std::stable_sort (parts.begin(), parts.end(), [&] (std::size_t a, std::size_t b) {
-    return work_of_part[a] > work_of_part[b];
-  });
+  const auto is_larger = [&] (std::size_t one, std::size_t other) {
+    return work_of_part[one] > work_of_part[other];
+  };
+  std::stable_sort (parts.begin(), parts.end(), is_larger);
   // Each part goes to the rank with the least work so far.
   std::vector<std::uint64_t> work_of_rank (ranks, 0);
   std::vector<std::size_t> own_parts;
   for (const std::size_t part : parts) {
-    const auto least = std::min_element (work_of_rank.begin(), work_of_rank.end());
-    *least += work_of_part[part];
-    if (least == work_of_rank.begin() + rank)
+    const auto rank_with_least =
+        std::min_element (work_of_rank.begin(), work_of_rank.end());
+    *rank_with_least += work_of_part[part];
+    if (rank_with_least == work_of_rank.begin() + rank)
       own_parts.push_back (part);
   }
   return own_parts;

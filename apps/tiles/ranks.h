@@ -9,8 +9,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The MPI processes that share one run. Without mpirun, or in a build without
- * MPI, there is one process, of rank 0. */
+/** \brief The MPI processes, called ranks, that share one run. Without mpirun, or in a
+ * build without MPI, there is one process, of rank 0. */
 struct Ranks {
   Ranks();
 
@@ -18,12 +18,15 @@ struct Ranks {
   void
   meet () const;
 
-  /** \brief Aborts all ranks with an exit code; returns if there is only one rank. */
+  /** \brief Aborts all ranks with an exit code; does nothing if there is only one rank.
+   */
   void
   endAll (int exit_code) const;
 
-  /** \brief Number of this process, from 0 on, and number of all processes. */
-  std::size_t rank = 0, size = 1;
+  /** \brief Number of this process, from 0 on. */
+  std::size_t rank = 0;
+  /** \brief Number of all processes. */
+  std::size_t size = 1;
 
 private:
   struct State;

@@ -25,19 +25,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief FNV-1a over 32-bit words instead of bytes: files that differ in exactly one
- * word have different checksums. */
+/** \brief The hash FNV-1a over 32-bit words instead of bytes. Files that differ in
+ * exactly one word have different checksums. */
 class Checksum {
 public:
   /** \param[in] file path of the file: its name is part of the checksum, its folder is
    * not */
   explicit Checksum (const std::string& file)
   {
-    for (const char c : std::filesystem::path (file).filename().string())
-      addWord (static_cast<unsigned char> (c));
+    for (const char letter : std::filesystem::path (file).filename().string())
+      addWord (static_cast<unsigned char> (letter));
   }
 
-  /** \brief Adds the bytes as 32-bit words.
+  /** \brief Adds bytes, as 32-bit words.
    * \param[in] size number of bytes, a multiple of 4 */
   void
   add (const void* bytes, std::size_t size)
@@ -176,13 +176,13 @@ struct BinaryReader {
   Checksum sum;
 };
 
-/** \brief Which of the points that a tile sees: its own, which are in the tile, or
- * those in its halo. 64 bits, so that \ref Block has no padding: undefined bytes would
- * change its checksum. */
+/** \brief Where points that a tile sees are: in the tile itself (its own points), or in
+ * its halo. 64 bits, so that \ref Block has no padding, whose undefined bytes would
+ * change the checksum. */
 enum class TilePart : std::int64_t { Own = 0, Halo = 1 };
 
-/** \brief The tile that sees the points of a block, and whether they are in the tile or
- * in its halo. */
+/** \brief The tile that sees the points of a block, and whether these are its own
+ * points or those in its halo. */
 struct BlockKey {
   TileKey tile{};
   TilePart part = TilePart::Own;
@@ -200,34 +200,39 @@ struct BlockKey {
   }
 };
 
-/** \brief Consecutive points in a file with the same key, in the order of the input. */
+/** \brief Consecutive points in a file that have the same key, in the order of the
+ * input.
+ */
 struct Block {
   BlockKey key{};
-  /** \brief Offset of the first point in the file [bytes], and the number of points. */
-  std::uint64_t offset = 0, points = 0;
+  /** \brief Offset of the first point in the file [bytes]. */
+  std::uint64_t offset = 0;
+  /** \brief Number of points. */
+  std::uint64_t points = 0;
   /** \brief \ref Checksum of the points. */
-  std::uint64_t sum = 0;
+  std::uint64_t checksum = 0;
 };
 
 /** \brief Writes the points of one input, sorted into blocks. The file has the points
- * of all blocks, then the index: the offset of the index in the file, the list of
- * blocks and the checksum of both. Readers find the index by the last number of the
- * file, which is that offset again. */
-class CellFileWriter {
+ * of all blocks, then an index: its own offset in the file, the list of blocks and the
+ * checksum of both. The last number of the file is the offset of the index again, by
+ * which readers find it. */
+class BlockFileWriter {
 public:
   /** \param[in] file name that the file will have, for checksums */
-  CellFileWriter (std::ostream& stream, std::string file)
+  BlockFileWriter (std::ostream& stream, std::string file)
   : stream_ (stream), file_ (std::move (file))
   {}
 
-  /** \param[in] point in the frame of the tile */
+  /** \brief Adds a point to the blocks of a key.
+   * \param[in] point in the frame of the key's tile [m] */
   void
   add (const BlockKey& key, const Eigen::Vector3f& point)
   {
     constexpr std::size_t max_points_in_memory = 1U << 21U; // 24 MiB
-    if (last_ == unwritten_.end() || !(last_->first == key))
-      last_ = unwritten_.try_emplace (key).first;
-    last_->second.push_back (point);
+    if (last_entry_ == unwritten_.end() || !(last_entry_->first == key))
+      last_entry_ = unwritten_.try_emplace (key).first;
+    last_entry_->second.push_back (point);
     if (++points_unwritten_ == max_points_in_memory)
       flush();
   }
@@ -258,26 +263,28 @@ private:
       offset_ += points.size() * sizeof (points.front());
     }
     unwritten_.clear();
-    last_ = unwritten_.end();
+    last_entry_ = unwritten_.end();
     points_unwritten_ = 0;
   }
 
   std::ostream& stream_;
   std::string file_;
+  /** \brief The points that are not written yet, by their keys. */
   std::map<BlockKey, std::vector<Eigen::Vector3f>> unwritten_;
-  /** \brief Entry of the last key, as the next point mostly has the same key. */
-  decltype (unwritten_)::iterator last_ = unwritten_.end();
+  /** \brief Entry of the last point: the next point mostly has the same key. */
+  decltype (unwritten_)::iterator last_entry_ = unwritten_.end();
+  /** \brief Number of all points in \ref unwritten_. */
   std::size_t points_unwritten_ = 0;
   /** \brief Offset of the next block, or of the index [bytes]. */
   std::uint64_t offset_ = 0;
   std::vector<Block> blocks_;
 };
 
-/** \brief Reads the points of a file that \ref CellFileWriter wrote; only its index is
+/** \brief Reads the points of a file that \ref BlockFileWriter wrote; only its index is
  * in memory. */
-struct CellFile {
+struct BlockFile {
   /** \throws WorkError if the file cannot be read */
-  explicit CellFile (const std::string& path) : file (path)
+  explicit BlockFile (const std::string& path) : file (path)
   {
     const std::uint64_t index_offset = indexOffset();
     BinaryReader read (file);
@@ -313,12 +320,12 @@ struct CellFile {
       return;
     BinaryReader read (file);
     for (const Block& block : found->second) {
-      const std::size_t before = points.size();
-      points.resize (before + block.points);
+      const std::size_t first = points.size(); // of this block
+      points.resize (first + block.points);
       read.stream.seekg (block.offset);
       read.sum = Checksum (file);
-      read (points[before].data(), 3 * block.points);
-      if (read.sum.value() != block.sum)
+      read (points[first].data(), 3 * block.points);
+      if (read.sum.value() != block.checksum)
         read.fail();
     }
   }
@@ -335,7 +342,7 @@ struct CellFile {
   }
 
   std::string file;
-  /** \brief Blocks by key; those of one key are in the order of their points. */
+  /** \brief The blocks of each key, in the order of the file. */
   std::map<BlockKey, std::vector<Block>> blocks;
 };
 

@@ -15,7 +15,9 @@ namespace {
 
 /** \brief An entry of CloudNoise::usual_of_octave, as stored in a file. */
 struct OctaveNoise {
+  /** \brief log2 of the density of points [1/m^2], rounded down. */
   std::int64_t octave = 0;
+  /** \brief Median noise of points at this density [m]. */
   double usual = 0.0;
 };
 
@@ -24,15 +26,15 @@ struct OctaveNoise {
 std::vector<std::size_t>
 tilesToMeasure (const std::vector<std::uint64_t>& points_of_tile)
 {
-  // To measure these points takes less time than to find the planes of one large tile.
-  // They include densities that only a few per cent of all points have.
+  // So few that the noise is measured in less time than the planes of a large tile are
+  // found; so many that densities of a few per cent of the points are among them.
   constexpr std::uint64_t points_to_measure = 400'000; // of the chosen tiles together
   const std::size_t tiles = points_of_tile.size();
   const std::uint64_t points =
       std::accumulate (points_of_tile.begin(), points_of_tile.end(), std::uint64_t (0));
   const std::uint64_t step = std::max<std::uint64_t> (1, points / points_to_measure);
-  // The middle one of the first `step` tiles, and every step-th one after it. If the
-  // list ends before that one, the remainder chooses a tile.
+  // The first chosen tile is the middle one of the first `step` tiles. If the list ends
+  // before it, the remainder chooses a tile.
   const std::size_t first = step / 2 % std::max<std::size_t> (1, tiles);
   std::vector<std::size_t> chosen;
   for (std::size_t tile = first; tile < tiles; tile += step)
@@ -46,17 +48,17 @@ noiseOfSurvey (const Plan& plan,
                const PointsOfTile& points_of)
 {
   const auto origin_of = [&] (const TileKey& tile) {
-    // The zero of the frame of a tile is a corner of a cell.
+    // Zero of the frame of a tile is a corner of a cell.
     return plan.grid.cornerOf (plan.grid.frameOf (tile));
   };
-  std::vector<Eigen::Vector3f> all; // in the frame of the first tile
+  std::vector<Eigen::Vector3f> points; // in the frame of the first tile
   for (const TileKey& tile : tiles) {
     const Eigen::Vector3d shift = origin_of (tile) - origin_of (tiles.front());
     for (const Eigen::Vector3f& point : points_of (tile))
-      all.emplace_back ((shift + point.cast<double>()).cast<float>());
+      points.emplace_back ((shift + point.cast<double>()).cast<float>());
   }
-  constexpr std::size_t x_offset = 0;
-  const CloudView view (all.data(), x_offset, sizeof (all[0]), all.size());
+  constexpr std::size_t x_offset = 0; // [bytes]
+  const CloudView view (points.data(), x_offset, sizeof (points[0]), points.size());
   const OrientedPointSamplingParameters defaults; // those of the search in each tile
   return measureNoise (view, defaults, plan.points());
 }

@@ -16,8 +16,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns the first input if it is LAS: its reference system is that of all
- * inputs, which share a frame. */
+/** \brief Returns the first input if it is a .las or .laz, else nullptr: its reference
+ * system is that of all inputs, which share a frame. */
 std::shared_ptr<LasFile>
 firstLasOf (const Plan& plan)
 {
@@ -54,8 +54,9 @@ upperMedianOf (std::vector<double> numbers)
   return *middle;
 }
 
-/** \brief Sets the noise of each plane to the median over the boxes around its points.
- * If these tell no noise, it is the median over the boxes of all planes. */
+/** \brief Sets the noise of each plane to the median of \ref noiseOf over the boxes
+ * around its points. If these have no noise, it is the median over the boxes of all
+ * planes; if none has, the plane gets no noise. */
 void
 setNoise (const std::vector<DenseBox>& boxes, std::vector<PlaneSegment>& planes)
 {
@@ -73,6 +74,7 @@ setNoise (const std::vector<DenseBox>& boxes, std::vector<PlaneSegment>& planes)
         noises_of_plane[i].empty() ? usual : upperMedianOf (noises_of_plane[i]);
 }
 
+/** \brief Returns what the library's warnings have to know of the tiles. */
 TiledSearch
 searchOf (const Plan& plan,
           const PlaneSample& sample,

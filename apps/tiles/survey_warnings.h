@@ -11,8 +11,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Adds warnings to a list of planes. They follow from a sample of the labeled
- * points.
+/** \brief Adds warnings about the planes of a survey to the list of planes. They follow
+ * from a sample of the labeled points.
  * \return the new text of the list; the same text if there are no warnings
  * \param[in] has_meter whether the user gave the length of a meter, even if it is 1
  * \param[in] list_text JSON of the list
@@ -23,7 +23,8 @@ withWarnings (const Plan& plan,
               const std::string& list_text,
               const ForEachLabeledPoint& for_each_point);
 
-/** \brief Returns the warnings that \ref withWarnings has added to a list. */
+/** \brief Returns the warnings that \ref withWarnings has added to a list; none if it
+ * has added none. */
 std::vector<ResultWarning>
 warningsIn (const nlohmann::ordered_json& list);
 

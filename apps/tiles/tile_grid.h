@@ -11,35 +11,35 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Number of a cell along x, y and z. Cell 0 begins at zero of the frame (the
- * coordinate system) that all inputs share. */
+/** \brief Numbers of a cell along x, y and z. Cell (0, 0, 0) begins at zero of the
+ * frame (the coordinate system) that all inputs share. */
 using CellKey = std::array<std::int64_t, 3>;
 
-/** \brief Number of a tile along x and y: its first cell is the number times \ref
- * TileGrid::cells_of_tile. */
+/** \brief Numbers of a tile along x and y. The number of its first cell along an axis
+ * is this number times \ref TileGrid::cells_of_tile. */
 using TileKey = std::array<std::int64_t, 2>;
 
-/** \brief A lattice of cubic cells from zero of the inputs' frame, and square tiles of
- * whole columns of cells. Intervals are half-open: a point is in one cell and one tile.
- * Around each tile is a halo: a border of cells of other tiles whose points the tile
- * sees, too. [m] stands for the unit of the inputs. */
+/** \brief A lattice of cubic cells that begins at zero of the inputs' frame, and square
+ * tiles of whole columns of cells along z. A point on a border is in the cell and the
+ * tile with the larger numbers. Around each tile is a halo: a border of cells of other
+ * tiles whose points the tile sees, too. [m] stands for the unit of the inputs. */
 struct TileGrid {
-  /** \brief Width of the voxels of the coarsest resolution of normals [cells]. */
+  /** \brief Width of the largest voxels that normals are computed in [cells]. */
   static constexpr std::int64_t cells_of_coarsest = 4;
-  /** \brief Width of the halo [cells]: three voxels of the coarsest resolution. Pieces
-   * of planes in two tiles are joined by the cells that both tiles see (joinPlanes). */
+  /** \brief Width of the halo [cells]: three of these largest voxels. Pieces of planes
+   * in two tiles are joined by the cells that both tiles see (joinPlanes). */
   static constexpr std::int64_t halo = 12;
-  /** \brief Largest distance from zero along each axis [cells]: numbers of cells fit
-   * into 32 bits (BorderVoxel::cell). */
+  /** \brief Largest distance of a point from zero along each axis, and largest width of
+   * a tile [cells]: numbers of cells fit into 32 bits (BorderVoxel::cell). */
   static constexpr std::int64_t max_cells = 1'000'000'000;
 
   /** \brief Edge of a cell [m]. */
   double edge = 0.0;
-  /** \brief Cells along an edge of a tile: a multiple of \ref cells_of_coarsest and at
-   * least \ref halo. */
+  /** \brief Number of cells along an edge of a tile: a multiple of \ref
+   * cells_of_coarsest and at least \ref halo. */
   std::int64_t cells_of_tile = 0;
-  /** \brief A cell near the points, for the frames of tiles (\ref frameOf). Each number
-   * is a multiple of \ref cells_of_coarsest. */
+  /** \brief A cell near the points, from which frames of tiles follow (\ref frameOf).
+   * Each number is a multiple of \ref cells_of_coarsest. */
   CellKey cell_near_points{};
 
   /** \brief Edge of a tile [m]. */
@@ -49,7 +49,7 @@ struct TileGrid {
     return edge * cells_of_tile;
   }
 
-  /** \brief How far from zero cells can be counted [m]. */
+  /** \brief Distance from zero along an axis at which the numbers of cells end [m]. */
   double
   reach () const
   {
@@ -63,36 +63,36 @@ struct TileGrid {
     return (point.array().abs() < reach()).all();
   }
 
-  /** \param[in] point within \ref reach, else its numbers may overflow */
+  /** \param[in] point [m], within \ref reach: else numbers may overflow */
   CellKey
   cellOf (const Eigen::Vector3d& point) const
   {
-    const auto along = [this] (double coordinate) {
+    const auto cell_number = [this] (double coordinate) {
       return static_cast<std::int64_t> (std::floor (coordinate / edge));
     };
-    return {along (point.x()), along (point.y()), along (point.z())};
+    return {cell_number (point.x()), cell_number (point.y()), cell_number (point.z())};
   }
 
   TileKey
   tileOf (const CellKey& cell) const
   {
-    const auto along = [this] (std::int64_t number) {
-      // Integer division rounds towards zero; tiles are counted by rounding down.
-      const std::int64_t tile = number / cells_of_tile;
-      return tile * cells_of_tile > number ? tile - 1 : tile;
+    const auto tile_number = [this] (std::int64_t number_of_cell) {
+      // Integer division rounds towards zero, but the number has to be rounded down.
+      const std::int64_t tile = number_of_cell / cells_of_tile;
+      return tile * cells_of_tile > number_of_cell ? tile - 1 : tile;
     };
-    return {along (cell[0]), along (cell[1])};
+    return {tile_number (cell[0]), tile_number (cell[1])};
   }
 
   /** \brief Whether a cell is in a tile and in the halo of no other tile. */
   bool
   isSeenOnlyBy (const TileKey& tile, const CellKey& cell) const
   {
-    const auto along = [&] (std::size_t axis) {
+    const auto is_beyond_halos = [&] (std::size_t axis) {
       const std::int64_t from_border = cell[axis] - tile[axis] * cells_of_tile;
       return from_border >= halo && from_border < cells_of_tile - halo;
     };
-    return along (0) && along (1);
+    return is_beyond_halos (0) && is_beyond_halos (1);
   }
 
   /** \brief Returns the cell whose corner is the zero of a tile's frame: \ref
@@ -101,11 +101,11 @@ struct TileGrid {
   CellKey
   frameOf (const TileKey& tile) const
   {
-    const auto along = [&] (std::size_t axis) {
+    const auto clamped_number = [&] (std::size_t axis) {
       const std::int64_t first = tile[axis] * cells_of_tile;
       return std::clamp (cell_near_points[axis], first, first + cells_of_tile);
     };
-    return {along (0), along (1), cell_near_points[2]};
+    return {clamped_number (0), clamped_number (1), cell_near_points[2]};
   }
 
   /** \brief Returns the corner of a cell with the smallest coordinates [m]. */
@@ -121,6 +121,8 @@ struct TileGrid {
   forTilesAround (const CellKey& cell, Visit&& visit) const
   {
     const TileKey own = tileOf (cell);
+    // Whether the next tile along an axis in the direction of a step, -1 or 1, has the
+    // cell in its halo; true for step 0.
     const auto sees = [&] (std::size_t axis, std::int64_t step) {
       const std::int64_t from_border = cell[axis] - own[axis] * cells_of_tile;
       return step == 0 ||

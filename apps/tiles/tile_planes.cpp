@@ -13,9 +13,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Writes a piece to a file, or reads it.
- * \tparam File BinaryWriter, or BinaryReader
- * \tparam Piece const TilePiece, or TilePiece */
+/** \brief Writes a piece to a file if File is BinaryWriter and Piece is const
+ * TilePiece; reads it if File is BinaryReader and Piece is TilePiece. */
 template <typename File, typename Piece>
 void
 transfer (File& file, Piece& piece)
@@ -31,13 +30,15 @@ transfer (File& file, Piece& piece)
   file (piece.inputs);
 }
 
+/** \brief Returns the planes of the points that a tile sees, in the frame of the tile.
+ */
 std::vector<PlaneSegment>
-detectIn (const Plan& plan,
+planesOf (const Plan& plan,
           const std::optional<CloudNoise>& noise,
           const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
-  // The survey had too few points to measure its noise if CloudNoise::points is 0.
+  // CloudNoise::points is 0 if the survey had too few points to measure its noise.
   if (noise && noise->points > 0.0)
     parameters.noise_of_whole = noise;
   if (plan.is_on_voxels)
@@ -45,7 +46,7 @@ detectIn (const Plan& plan,
   const std::vector<Eigen::Vector3f>& seen = points.points;
   if (seen.size() > std::size_t (std::numeric_limits<pcl::index_t>::max()))
     throw std::bad_alloc();
-  constexpr std::size_t x_offset = 0;
+  constexpr std::size_t x_offset = 0; // [bytes]
   const CloudView view (seen.data(), x_offset, sizeof (seen[0]), seen.size());
   return detectPlanes (view, parameters);
 }
@@ -56,23 +57,24 @@ std::vector<std::uint32_t>
 inputsOf (const PlaneSegment& plane, const TilePoints& points)
 {
   std::vector<std::uint32_t> inputs;
-  std::uint64_t end_of_input = 0; // as an index of points
-  auto first = plane.inliers.begin();
+  std::uint64_t end_of_input = 0; // index after the last point of the input
+  auto begin = plane.inliers.begin();
   for (const OwnPoints& own : points.own_of_inputs) {
     end_of_input += own.count;
     const auto end =
-        std::lower_bound (first, plane.inliers.end(), pcl::index_t (end_of_input));
-    if (first != end)
+        std::lower_bound (begin, plane.inliers.end(), pcl::index_t (end_of_input));
+    if (begin != end)
       inputs.push_back (own.input);
-    first = end;
+    begin = end; // inliers of the next input
   }
   return inputs;
 }
 
-/** \param[in] own_inliers how many inliers are the tile's own points; they come first
- * \param[in] position of the piece in TilePlanes::pieces
- * \param[in,out] border_voxels gets the cells of the piece that other tiles see, too;
- * one for each of their points */
+/** \brief Makes a piece of a plane that was found in a tile.
+ * \param[in] own_inliers how many inliers are the tile's own points; they come first
+ * \param[in] position that the piece will have in TilePlanes::pieces
+ * \param[in,out] border_voxels gets, for each point of the piece in a cell that other
+ * tiles see, too, that cell */
 TilePiece
 pieceOf (const PlaneSegment& plane,
          const TilePoints& points,
@@ -81,8 +83,8 @@ pieceOf (const PlaneSegment& plane,
          std::uint32_t position,
          std::vector<BorderVoxel>& border_voxels)
 {
-  const CellKey frame = grid.frameOf (points.tile);
-  const Eigen::Vector3d origin = grid.cornerOf (frame);
+  const CellKey origin_cell = grid.frameOf (points.tile);
+  const Eigen::Vector3d origin = grid.cornerOf (origin_cell);
   const double unit = outlineUnit (grid.edge);
   TilePiece piece;
   piece.own_moments.unit = momentsUnit (grid.edge);
@@ -97,12 +99,13 @@ pieceOf (const PlaneSegment& plane,
     outline[i].is_own = i < own_inliers;
     if (outline[i].is_own)
       piece.own_moments.add (origin + local);
-    // Zero of the tile's frame is a corner of a cell: the numbers of both add up.
+    // The number of a cell counted from the origin of the tile's frame, plus that of
+    // the cell with this origin.
     CellKey cell = grid.cellOf (local);
     BorderVoxel voxel{{}, position};
     for (int axis = 0; axis < 3; ++axis) {
       outline[i].position[axis] = std::llround ((origin[axis] + local[axis]) / unit);
-      cell[axis] += frame[axis];
+      cell[axis] += origin_cell[axis];
       voxel.cell[axis] = cell[axis];
     }
     if (!grid.isSeenOnlyBy (points.tile, cell))
@@ -151,7 +154,7 @@ detectInTile (const Plan& plan,
     own_points += own.count;
   TileDetection found{{}, std::vector<std::uint32_t> (own_points, 0)};
   auto& [pieces, border_voxels] = found.planes;
-  for (const PlaneSegment& plane : detectIn (plan, noise, points)) {
+  for (const PlaneSegment& plane : planesOf (plan, noise, points)) {
     const auto begin = plane.inliers.begin();
     const auto end_of_own =
         std::lower_bound (begin, plane.inliers.end(), pcl::index_t (own_points));

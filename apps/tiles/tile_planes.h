@@ -30,12 +30,13 @@ struct TilePiece {
   std::vector<std::uint32_t> inputs;
 };
 
-/** \brief A cell of \ref TileGrid that another tile sees, too, with points on a piece.
- */
+/** \brief A cell of \ref TileGrid that another tile sees, too, and a piece that has
+ * points in it. */
 struct BorderVoxel {
-  /** \brief Its \ref CellKey in less memory: \ref TileGrid::max_cells fits. */
+  /** \brief The \ref CellKey of the cell in half the memory: numbers are up to \ref
+   * TileGrid::max_cells. */
   std::array<std::int32_t, 3> cell{};
-  /** \brief Position in TilePlanes::pieces. */
+  /** \brief Position of the piece in TilePlanes::pieces. */
   std::uint32_t piece = 0;
 
   friend bool
@@ -58,7 +59,8 @@ struct TilePlanes {
 void
 saveTilePlanes (const std::string& file, const TilePlanes& planes);
 
-/** \throws WorkError if the file cannot be read */
+/** \brief Reads a file of \ref saveTilePlanes. \throws WorkError if it cannot be read
+ */
 TilePlanes
 loadTilePlanes (const std::string& file);
 
@@ -79,6 +81,7 @@ struct TilePoints {
   std::vector<OwnPoints> own_of_inputs;
 };
 
+/** \brief The result of \ref detectInTile. */
 struct TileDetection {
   TilePlanes planes;
   /** \brief For each own point the number of its piece: the position in
@@ -86,10 +89,11 @@ struct TileDetection {
   std::vector<std::uint32_t> piece_numbers;
 };
 
-/** \brief Finds planes with the default of OPS. If Plan::is_on_voxels is set, its
- * voxels are the cells of the grid.
+/** \brief Finds planes with the default of OPS; if Plan::is_on_voxels is set, on
+ * voxels, which are the cells of the grid.
  * \param[in] noise of the survey; nothing for a single tile or on voxels
- * \throws std::bad_alloc, also if an index cannot count the points */
+ * \throws std::bad_alloc if the memory, or the range of pcl::index_t, is too small for
+ * the points */
 TileDetection
 detectInTile (const Plan& plan,
               const std::optional<CloudNoise>& noise,

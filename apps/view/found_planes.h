@@ -16,21 +16,22 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The state that keys and clicks change, except for the camera. */
+/** \brief What the window shows, as far as keys and clicks change it; the camera is not
+ * part of it. */
 struct ViewState {
   /** \brief The name of the detector: Method::name. */
   std::string method = "ops";
-  /** \brief Keys change only its preset. */
+  /** \brief Options of the detector. Keys change only its preset. */
   DetectorOptions detector;
   /** \brief What colors show: "planes" or "orientations". */
   std::string coloring = "planes";
   /** \brief Whether the window lists the keys. */
-  bool help = true;
+  bool shows_keys = true;
   /** \brief The plane that was clicked, counted from 1; 0 for none. */
   std::uint32_t selected = 0;
 };
 
-/** \brief The keys of the viewer, one a line, for the window and --help. */
+/** \brief The keys of the viewer, one in each line, for the window and --help. */
 inline constexpr const char* list_of_keys =
     R"(1  color by plane
 2  color by orientation: horizontal green, vertical blue, other orange
@@ -43,10 +44,9 @@ r  view as at the start
 q  quit
 shift and click  say which plane this is)";
 
-/** \brief Changes a state by a key of \ref list_of_keys, if it is one of 1, 2, h, m and
- * p; others are handled elsewhere. Another method or preset finds other planes, and so
- * clears the selection.
- * \return false if the key changes no state */
+/** \brief Changes a state as the keys 1, 2, h, m and p do; other keys do not change it.
+ * As another method or preset finds other planes, m and p clear the selection.
+ * \return whether it was one of these keys */
 inline bool
 pressKey (char key, ViewState& state)
 {
@@ -58,7 +58,7 @@ pressKey (char key, ViewState& state)
     state.coloring = "orientations";
     return true;
   case 'h':
-    state.help = !state.help;
+    state.shows_keys = !state.shows_keys;
     return true;
   case 'm': {
     const Method* const next = &methodCalled (state.method) + 1;
@@ -80,7 +80,7 @@ pressKey (char key, ViewState& state)
 struct FoundPlanes {
   XyzCloud::ConstPtr cloud;
   Detected detected;
-  /** \brief Per point: 0 for no plane, else the index of its plane plus 1. */
+  /** \brief For each point: 0 for no plane, else the index of its plane plus 1. */
   std::vector<std::uint32_t> labels;
 };
 
@@ -108,8 +108,9 @@ colorOfPoint (const FoundPlanes& found, const ViewState& state, std::size_t poin
              : colorOfLabel (label);
 }
 
-/** \brief Returns number, orientation, size, area and equation of the selected plane,
- * which there must be.
+/** \brief Returns number, orientation, number of points, area and equation of the
+ * selected plane, in the frame of the file.
+ * \param[in] state must have a selected plane
  * \param[in] shift origin of the frame of the planes in the frame of the file */
 inline std::string
 planeText (const FoundPlanes& found,
@@ -127,8 +128,8 @@ planeText (const FoundPlanes& found,
               plane.offset);
 }
 
-/** \brief Returns the text in the window: keys, planes, advice if none was found, and
- * the selected plane. */
+/** \brief Returns the text in the window: keys, number of planes, notes of the
+ * detector, and the selected plane. */
 inline std::string
 statusText (const FoundPlanes& found,
             const ViewState& state,
@@ -137,7 +138,7 @@ statusText (const FoundPlanes& found,
   const Detected& detected = found.detected;
   const std::size_t planes = detected.planes.size();
   std::string text;
-  if (state.help)
+  if (state.shows_keys)
     text = list_of_keys + std::string ("\n\n");
   text += std::to_string (found.labels.size()) + " points\n";
   text +=

@@ -40,15 +40,17 @@ constexpr int width = 1280, height = 960;
 
 struct ViewOptions {
   std::string input;
-  /** \brief The file of a picture or page to make instead of opening a window; empty
-   * for none. */
-  std::string screenshot, page;
+  /** \brief File of a picture to make in place of a window; empty for none. */
+  std::string screenshot;
+  /** \brief File of a page to make in place of a window; empty for none. */
+  std::string page;
   /** \brief The length of a meter in the unit of the cloud. */
   double meter = 1.0;
   ViewState state;
 };
 
-/** \return false if --help or --version was answered and nothing is left to do */
+/** \return false if --help or --version was answered, and the program should end
+ * \throws UsageError */
 bool
 readOptions (int argc, const char* const* argv, ViewOptions& options)
 {
@@ -69,7 +71,7 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   declareMethodOptions (line, state.method, state.detector);
   if (!line.parse (argc, argv))
     return false;
-  state.help = options.screenshot.empty();
+  state.shows_keys = options.screenshot.empty();
   checkExtension ("--screenshot", options.screenshot, {".png"});
   checkExtension ("--view", options.page, {".html"});
   if (!options.screenshot.empty() && !options.page.empty())
@@ -80,8 +82,8 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   return true;
 }
 
-/** \brief Whether a window can be shown. Without a display, VTK 9.4 and later make a
- * window that draws into memory, with which PCL crashes. */
+/** \brief Whether this window can be shown. Without a display, VTK 9.4 and later make a
+ * window that draws into memory (EGL, OSMesa), with which PCL crashes. */
 bool
 canShow (vtkRenderWindow& window)
 {
@@ -94,8 +96,9 @@ canShow (vtkRenderWindow& window)
   return window.SupportsOpenGL() != 0;
 }
 
-/** \brief Tries out the display in a silent child process, as VTK aborts where it finds
- * no display or driver. \throws WorkError if no window can be shown */
+/** \brief Checks that a window can be shown: in a child process that prints nothing, as
+ * VTK aborts the process if it finds no display or driver.
+ * \throws WorkError if no window can be shown */
 void
 checkDisplay ()
 {
@@ -124,11 +127,12 @@ checkDisplay ()
 #endif
 }
 
-/** \brief The window of the viewer, or a picture of it. */
+/** \brief The window of the viewer; with --screenshot it is not shown, but drawn into
+ * memory. */
 class Window {
 public:
-  /** \param[in] finite indices of the points with coordinates, as VTK handles no others
-   */
+  /** \param[in] finite indices of the points with finite coordinates, as VTK draws no
+   * others */
   Window (const ViewOptions& options, const ShiftedCloud& shifted, pcl::Indices finite)
   : options_ (options)
   , shift_ (shifted.shift)
@@ -137,7 +141,7 @@ public:
   , viewer_ ("pcl_ops_view " + options.input, false)
   , window_ (*viewer_.getRenderWindow())
   {
-    window_.SetMultiSamples (0); // more are slow without a graphics card
+    window_.SetMultiSamples (0); // antialiasing is slow without a graphics card
     window_.SetOffScreenRendering (options.screenshot.empty() ? 0 : 1);
     viewer_.setSize (width, height);
     viewer_.setBackgroundColor (1.0, 1.0, 1.0);
@@ -150,8 +154,8 @@ public:
     resetCamera();
   }
 
-  /** \brief Handles keys before PCLVisualizer does, until the user closes the window.
-   */
+  /** \brief Shows the window until the user closes it. Handles keys before
+   * PCLVisualizer does. */
   void
   run ()
   {
@@ -194,7 +198,7 @@ private:
   bool
   onKey (vtkObject* /*caller*/, unsigned long event, void* /*data*/)
   {
-    if (event == vtkCommand::CharEvent) // comes second for the same key
+    if (event == vtkCommand::CharEvent) // follows the KeyPressEvent of the same key
       return is_own_key_;
     vtkRenderWindowInteractor& interactor = *window_.GetInteractor();
     const char key = interactor.GetKeyCode();
@@ -209,7 +213,8 @@ private:
     return is_own_key_;
   }
 
-  /** \brief Shows a state; keeps the old one if a detector refuses its parameters. */
+  /** \brief Shows a state, and finds planes again if its method or preset is another
+   * one. Keeps the old state if a detector refuses its parameters. */
   void
   show (const ViewState& state)
   {
@@ -255,9 +260,10 @@ private:
     const Eigen::Vector3d down = view.axes.row (1).cast<double>();
     const Eigen::Vector3d ahead = view.axes.row (2).cast<double>();
     const double depth = ahead.dot (centroid.head<3>() - eye);
-    // The mouse turns the cloud around this position.
+    // The position around which the mouse turns the cloud: at the depth of the
+    // centroid.
     const Eigen::Vector3d target = eye + (depth > 0.0 ? depth : 1.0) * ahead;
-    const double vertical_angle = 2.0 * std::atan (0.5 * height / view.focal);
+    const double vertical_field_of_view = 2.0 * std::atan (0.5 * height / view.focal);
     vtkRenderer& renderer = *viewer_.getRendererCollection()->GetFirstRenderer();
     vtkCamera& camera = *renderer.GetActiveCamera();
     camera.SetPosition (eye.data());
@@ -265,7 +271,7 @@ private:
     camera.SetViewUp (-down.x(), -down.y(), -down.z());
     camera.SetWindowCenter (1.0 - 2.0 * view.center.x() / width,
                             2.0 * view.center.y() / height - 1.0);
-    camera.SetViewAngle (pcl::rad2deg (vertical_angle));
+    camera.SetViewAngle (pcl::rad2deg (vertical_field_of_view));
     renderer.ResetCameraClippingRange();
   }
 
@@ -273,19 +279,19 @@ private:
   ViewOptions options_;
   /** \brief Origin of the frame of the planes in the frame of the file. */
   Eigen::Vector3d shift_;
-  /** \brief Indices of the points with coordinates, in the order of the shown points.
+  /** \brief Indices of the points with finite coordinates: those of the shown points.
    */
   pcl::Indices finite_;
   FoundPlanes found_;
   pcl::visualization::PCLVisualizer viewer_;
   vtkRenderWindow& window_;
-  /** \brief Whether the key that was pressed last is one of the viewer; noted at the
-   * first of the two events of a key, for the second. */
+  /** \brief Whether the key that was pressed last is one of the viewer. Each key has
+   * two events: the first sets this, the second reads it. */
   bool is_own_key_ = false;
 };
 
 /** \brief Writes the page of --view.
- * \param[in] sensor its position, if it is known */
+ * \param[in] sensor position of the sensor in the frame of the file, if it is known */
 void
 savePage (const ViewOptions& options,
           const ShiftedCloud& shifted,
@@ -296,7 +302,8 @@ savePage (const ViewOptions& options,
   std::vector<PlaneExtent> extents;
   std::vector<std::uint32_t> ids;
   for (PlaneSegment& plane : planes) {
-    // In the frame of the cloud; the plane and its extent are then in that of the file.
+    // Points on the plane in two dimensions, which are the same in the frame of the
+    // cloud and, after moveBy, in that of the file.
     const PlanarPoints points = pointsOnPlane (
         *shifted.cloud, plane, PlaneFrame (plane.centroid, plane.normal));
     plane.moveBy (shifted.shift);
@@ -313,6 +320,7 @@ savePage (const ViewOptions& options,
       {title, shifted, planes, planeObjects (planes, extents, kinds, ids, up), up});
 }
 
+/** \brief Shows the window, or writes the page or the screenshot. */
 void
 view (const ViewOptions& options)
 {

@@ -57,6 +57,7 @@ struct CloudView {
           "a cloud must have fewer than 2^31 points; divide it");
   }
 
+  /** \brief x, y and z of point \p i. */
   const float*
   operator[] (std::size_t i) const
   {

@@ -24,7 +24,7 @@ namespace pcl_ops {
  * the points: then they are exact enough for clouds 10^6 m from the frame's zero. */
 struct PCL_OPS_EXPORT Moments {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  double count = 0.0;
+  double count = 0.0; // number of points
   /** \brief Sum of the points, relative to \ref origin. */
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   /** \brief Sums over the points of xx xy xz yy yz zz, relative to \ref origin. */
@@ -80,7 +80,7 @@ struct PCL_OPS_EXPORT Moments {
   covariance () const
   {
     const double scale = 1.0 / count;
-    const Eigen::Vector3d mean = scale * sum;
+    const Eigen::Vector3d mean = scale * sum; // relative to origin
     Eigen::Matrix3d result;
     result (0, 0) = scale * products[0] - mean.x() * mean.x();
     result (0, 1) = result (1, 0) = scale * products[1] - mean.x() * mean.y();

@@ -22,7 +22,7 @@ namespace pcl_ops {
 
 /** \brief Conditions for planes to keep. By default all planes are kept. */
 struct PlaneFilter {
-  /** \brief Not given: any. */
+  /** \brief Orientation of the planes to keep. Not given: any. */
   std::optional<Orientation> orientation;
   /** \brief Planes whose normals, of either sign, are parallel to this vector are kept.
    * The vector has any length but 0, in the frame of the planes. Not given: any. */

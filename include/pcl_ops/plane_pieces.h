@@ -12,6 +12,7 @@
 
 namespace pcl_ops {
 
+/** \brief Parameters of \ref findPlanePieces. */
 struct PlanePiecesParameters {
   /** \brief Widest gap within a piece, in units of the spacing of the points at its two
    * sides; the smaller spacing counts.
@@ -19,7 +20,8 @@ struct PlanePiecesParameters {
    * The spacing at a point is that in the sparser direction on the plane: in a lidar
    * scan it is the distance to the next ring, not to the next point of the ring. */
   double max_gap = 8.0;
-  /** \brief Smaller pieces are joined to the nearest piece. */
+  /** \brief Smallest number of points of a piece: smaller pieces are joined to the
+   * nearest one. */
   std::size_t min_points = 20;
 };
 

@@ -89,8 +89,8 @@ private:
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   /** \brief The uncorrected pose of the last frame. */
   Eigen::Isometry3d given_pose_ = Eigen::Isometry3d::Identity();
-  std::size_t frames_ = 0;
-  std::uint32_t last_number_ = 0;
+  std::size_t frames_ = 0;        // number of frames so far
+  std::uint32_t last_number_ = 0; // of the plane that was first seen last
 };
 
 } // namespace pcl_ops

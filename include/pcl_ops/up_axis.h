@@ -19,6 +19,7 @@ struct UpAxis {
   double confidence = 0.0;
 };
 
+/** \brief Parameters of \ref estimateUpAxis. */
 struct UpAxisParameters {
   /** \brief Largest deviation from horizontal or vertical at which a plane supports a
    * direction [rad]; by default 7 degrees. */

@@ -32,9 +32,9 @@ occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
  * True if hardly any surface occludes another (\ref detail::occludedFraction up to
  * 0.01). Otherwise it is decided by the directions to the points, which have even steps
  * if the sensor was at the viewpoint. If the steps tell nothing, as in a thinned cloud,
- * the result is true for an occluded fraction of up to 0.05. In lidar scans places 3 m
- * beside the sensor are rejected; a place above it may be accepted. A cloud of several
- * scans has no single viewpoint. False if \p viewpoint is not finite. */
+ * the result is true for an occluded fraction of up to 0.05. In lidar scans positions 3
+ * m beside the sensor are rejected; a position above it may be accepted. A cloud of
+ * several scans has no single viewpoint. False if \p viewpoint is not finite. */
 PCL_OPS_EXPORT bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
 

@@ -29,7 +29,8 @@ constexpr const char* program_name = "pcl_ops_benchmark";
 struct Options {
   /** Text for dataSetOf, or a file or folder of clouds. */
   std::string input;
-  std::string json_file, scaling_folder; // empty: not written
+  std::string json_file;      // for all numbers; empty: not written
+  std::string scaling_folder; // for scaling.csv; empty: not measured
   /** Numbers of points of the clouds of the series "points", separated by commas. */
   std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
   std::size_t memory_points = 3'000'000; // of the cloud on which memory is measured
@@ -118,7 +119,8 @@ peakText (const Json& peak)
          " MB more at its peak.\n";
 }
 
-/** Measures times and memory on a cloud, prints the times and returns both. */
+/** Measures times and memory on a cloud, prints a table of the times, and returns times
+ * and memory. */
 Json
 figuresOf (const CloudSource& source, const MeasureParameters& parameters)
 {
@@ -157,7 +159,9 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
   return figures;
 }
 
-/** \param[in,out] left_out number of clouds without figures
+/** Returns \ref figuresOf each cloud. Clouds that cannot be loaded or measured are
+ * reported and left out.
+ * \param[in,out] left_out number of clouds that are left out
  * \throw WorkError of the last cloud if all are left out */
 Json
 figuresOfAll (const DataSet& clouds,
@@ -180,7 +184,8 @@ figuresOfAll (const DataSet& clouds,
   return all;
 }
 
-/** Prints how times and memory were measured, and the memory. */
+/** Prints how times and memory were measured, and the memory.
+ * \param[in] report all that the file of --json has */
 void
 printMethodAndMemory (const Json& report)
 {
@@ -218,6 +223,23 @@ scansOfSizes (const std::string& sizes)
   }
 }
 
+/** Returns the part of the report that is known before the measurement. */
+Json
+headOfReport (const MeasureParameters& parameters)
+{
+  const std::string cpu = valueIn ("/proc/cpuinfo", "model name");
+  return {{"program", program_name},
+          {"version", PCL_OPS_VERSION},
+          {"machine",
+           {{"cpu", cpu.empty() ? "unknown CPU" : cpu},
+            {"cores", std::thread::hardware_concurrency()},
+            {"compiler", compilerAndFlags()},
+            {"pcl", PCL_VERSION_PRETTY}}},
+          {"runs", parameters.runs},
+          {"peer_runs", parameters.peer_runs},
+          {"seed", parameters.settings.seed}};
+}
+
 int
 run (int argc, const char* const* argv)
 {
@@ -228,24 +250,14 @@ run (int argc, const char* const* argv)
   const bool is_path =
       input.find (':') == std::string::npos || std::filesystem::exists (input);
   const DataSet clouds = dataSetOf (is_path ? "clouds:" + input : input);
-  const DataSet growing = scansOfSizes (options.scaling_points);
+  const DataSet scans_by_size = scansOfSizes (options.scaling_points);
   if (!options.json_file.empty())
     checkWritable (options.json_file);
   if (!options.scaling_folder.empty())
     makeFolder (options.scaling_folder);
 
   std::size_t left_out = 0;
-  const std::string cpu = valueIn ("/proc/cpuinfo", "model name");
-  Json report{{"program", program_name},
-              {"version", PCL_OPS_VERSION},
-              {"machine",
-               {{"cpu", cpu.empty() ? "unknown CPU" : cpu},
-                {"cores", std::thread::hardware_concurrency()},
-                {"compiler", compilerAndFlags()},
-                {"pcl", PCL_VERSION_PRETTY}}},
-              {"runs", options.measures.runs},
-              {"peer_runs", options.measures.peer_runs},
-              {"seed", options.measures.settings.seed}};
+  Json report = headOfReport (options.measures);
   report["clouds"] = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
   const std::string scan = "simulated:" + std::to_string (options.memory_points);
@@ -255,7 +267,7 @@ run (int argc, const char* const* argv)
   if (!options.scaling_folder.empty()) {
     const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
     writeTextFile (file.string(),
-                   measureScaling (clouds, growing, options.measures, notify));
+                   measureScaling (clouds, scans_by_size, options.measures, notify));
     notify ("");
   }
   if (!options.json_file.empty())

@@ -71,11 +71,12 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
   return measures;
 }
 
-/** Returns measures to compare detectors with: a copy and a search tree. */
+/** Returns measures of what nearly every detector does at least: a copy of the cloud
+ * into allocated memory, and the construction of a search tree. */
 std::vector<Measure>
 lowerBoundsOn (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 {
-  const auto timeOf = [runs] (const char* name, const std::function<void()>& work) {
+  const auto measureOf = [runs] (const char* name, const std::function<void()>& work) {
     return Measure{name, runs, [work] {
                      StageDurations durations;
                      timed (durations.detection, work);
@@ -83,9 +84,9 @@ lowerBoundsOn (const XyzCloud::ConstPtr& cloud, std::size_t runs)
                    }};
   };
   const auto copy = std::make_shared<XyzCloud> (*cloud);
-  return {timeOf ("copy of the cloud",
-                  [=] { std::copy (cloud->begin(), cloud->end(), copy->begin()); }),
-          timeOf ("KdTreeFLANN construction", [cloud] {
+  return {measureOf ("copy of the cloud",
+                     [=] { std::copy (cloud->begin(), cloud->end(), copy->begin()); }),
+          measureOf ("KdTreeFLANN construction", [cloud] {
             pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud);
           })};
 }
@@ -119,17 +120,19 @@ public:
     csv_ << '\n';
   }
 
-  /** Runs measures of a cloud and adds a row for each. */
+  /** Runs measures of a cloud and adds a row for each.
+   * \param[in] x value of the quantity that grows in the series
+   * \param[in] cloud_name for the column cloud */
   void
   add (const char* series,
        double x,
-       const std::string& name,
+       const std::string& cloud_name,
        const XyzCloud::ConstPtr& cloud,
        const std::vector<Measure>& measures)
   {
     for (const Measure& measure : measureInTurns (measures, notify_)) {
       csv_ << series << ',' << x << ',' << cloud->size() << ',' << measure.name << ','
-           << measure.runs << ',' << std::quoted (name, '"', '"');
+           << measure.runs << ',' << std::quoted (cloud_name, '"', '"');
       for (const auto& [stage, duration] : apps::detection_stages)
         csv_ << ',' << measure.shortest.*duration;
       csv_ << '\n';
@@ -147,6 +150,9 @@ private:
   std::ostringstream csv_;
 };
 
+/** Adds the series threads: each cloud on one thread up to all processors, at least
+ * two.
+ */
 void
 addThreadsSeries (const DataSet& clouds,
                   const MeasureParameters& parameters,
@@ -163,19 +169,21 @@ addThreadsSeries (const DataSet& clouds,
   }
 }
 
-/** Returns a scan of \ref makeBoards. */
+/** Returns a scan of \ref makeBoards.
+ * \param[in] board_count number of boards
+ * \param[in] points number of points of the scan */
 XyzCloud::ConstPtr
-scanOfBoards (unsigned number, std::size_t points, simulation::Seed seed)
+scanOfBoards (unsigned board_count, std::size_t points, simulation::Seed seed)
 {
-  constexpr double noise_scale = 1.0;
+  constexpr double noise_factor = 1.0; // that of a laser scanner
   const simulation::SimulatedCloud scan =
-      simulation::scanDensely (makeBoards (number), points, noise_scale, seed);
+      simulation::scanDensely (makeBoards (board_count), points, noise_factor, seed);
   const XyzCloud::Ptr boards (new XyzCloud);
   pcl::copyPointCloud (scan.cloud, *boards);
   return boards;
 }
 
-/** A number in /proc/self/status [byte]; NaN if there is none. */
+/** Returns a number of /proc/self/status [byte]; NaN if there is none of this name. */
 double
 statusBytes (const std::string& name)
 {
@@ -200,12 +208,12 @@ valueIn (const std::string& file, const std::string& name)
 std::vector<Measure>
 measureInTurns (std::vector<Measure> measures, const Notify& notify)
 {
-  for (bool is_done = false; !is_done;) {
-    is_done = true;
+  for (bool is_complete = false; !is_complete;) {
+    is_complete = true;
     for (Measure& measure : measures) {
       if (measure.runs == measure.max_runs || measure.total_time > max_repeated_time)
         continue;
-      is_done = false;
+      is_complete = false;
       notify (measure.name);
       const StageDurations durations = measure.run();
       measure.total_time += durations.detection;
@@ -247,7 +255,9 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector)
   const auto measure = [&] {
     detector.run (small_cloud, {});
 #ifdef __GLIBC__
-    malloc_trim (0); // free memory that is used again would not show as growth
+    // Gives free memory back to the system: if it were used again, it would not count
+    // as growth.
+    malloc_trim (0);
 #endif
     // "5" resets the peak to the memory that is resident now (proc(5)).
     std::ofstream ("/proc/self/clear_refs") << "5";
@@ -259,7 +269,7 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector)
   try {
     runInChild (measure, no_time_limit);
   }
-  catch (const std::runtime_error&) { // the number stays NaN
+  catch (const std::runtime_error&) { // growth stays NaN
   }
   return growth;
 }
@@ -285,7 +295,7 @@ makeBoards (unsigned number)
 
 std::string
 measureScaling (const DataSet& clouds,
-                const DataSet& growing,
+                const DataSet& clouds_by_size,
                 const MeasureParameters& parameters,
                 const Notify& notify)
 {
@@ -304,7 +314,7 @@ measureScaling (const DataSet& clouds,
         scanOfBoards (planes, first_cloud->size(), parameters.settings.seed);
     table.add ("planes", planes, name, boards, scalingMeasuresOn (boards, parameters));
   }
-  for (const CloudSource& source : growing) {
+  for (const CloudSource& source : clouds_by_size) {
     notify ("simulating " + source.name);
     const XyzCloud::ConstPtr scan = source.load().cloud;
     table.add ("points",

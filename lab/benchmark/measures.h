@@ -20,13 +20,13 @@ valueIn (const std::string& file, const std::string& name);
 struct Measure {
   std::string name;
   std::size_t max_runs = 1;
-  std::function<StageDurations()> run; // [ms]
-  std::size_t runs = 0;
-  double total_time = 0.0;      // of all runs [ms]
-  StageDurations shortest = {}; // of the fastest run [ms]
+  std::function<StageDurations()> run; // runs once and returns its durations [ms]
+  std::size_t runs = 0;                // number of runs so far
+  double total_time = 0.0;             // of all runs [ms]
+  StageDurations shortest = {};        // of the run whose detection is shortest [ms]
 };
 
-/** Is told what is measured next. */
+/** Called before each run with the name of the measure, to show it to the user. */
 using Notify = std::function<void (const std::string& what)>;
 
 /** Runs each measure once, then each a second time, and so on, so that a slow phase of
@@ -39,9 +39,9 @@ measureInTurns (std::vector<Measure> measures, const Notify& notify);
 constexpr double max_repeated_time = 20000.0;
 
 struct MeasureParameters {
-  std::size_t runs = 5;
-  std::size_t peer_runs = 1; // runs of peer detectors; 0: peers are left out
-  evaluation::RunSettings settings = {};
+  std::size_t runs = 5;                  // of each measure but those of peer detectors
+  std::size_t peer_runs = 1;             // of peer detectors; 0: peers are left out
+  evaluation::RunSettings settings = {}; // of all detectors
 };
 
 /** Returns measures that have not run yet: for comparison, a copy of the cloud into
@@ -57,20 +57,21 @@ double
 peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector);
 
 /** Makes square boards, each in another orientation and far enough apart that no two
- * are found as one plane. */
+ * are found as one plane.
+ * \param[in] number of boards */
 simulation::Scene
 makeBoards (unsigned number);
 
-/** Returns a CSV of the times of OPS (default and paper preset) in four series. In each
- * series the quantity of its name grows, whose values are in the column x: points,
- * threads, sampling_rate [%] or planes. On one thread, all series but sampling_rate
+/** Returns a CSV of the times of OPS (default and paper preset) in four series: points,
+ * threads, sampling_rate [%] and planes. In each series the quantity that names it
+ * grows; its values are in the column x. On one thread, all series but sampling_rate
  * also have 3D-KHT, the copy and the kd-tree of \ref measuresOf.
  * \param[in] clouds for the series threads; the first one also for sampling_rate, and
  * its number of points for the simulated boards of the series planes
- * \param[in] growing for the series points */
+ * \param[in] clouds_by_size for the series points, by ascending number of points */
 std::string
 measureScaling (const DataSet& clouds,
-                const DataSet& growing,
+                const DataSet& clouds_by_size,
                 const MeasureParameters& parameters,
                 const Notify& notify);
 

@@ -23,35 +23,42 @@ using namespace apps;
 
 namespace {
 
-constexpr double max_distance = 0.05; // of found edges and corners from true ones [m]
+/** A found edge or corner is right if it is within this distance of a true one [m]. */
+constexpr double max_distance = 0.05;
 
-/** A length of edges [m] or a number of corners, and the part of it that agrees with
- * those that it is compared with. */
+/** A length of edges [m] or a number of corners (whole), and the part of it that is
+ * near other edges or corners, within \ref max_distance. */
 struct Share {
   double part = 0.0, whole = 0.0;
 
-  /** \param[in] distances see \ref distancesAlong */
+  /** \param[in] distances from points of the edge, evenly spread, to other edges [m] */
   void
   add (const PlaneEdge& edge, const std::vector<double>& distances)
   {
-    const auto near = std::count_if (distances.begin(), distances.end(), [] (double d) {
-      return d <= max_distance;
-    });
+    const auto near =
+        std::count_if (distances.begin(), distances.end(), [] (double distance) {
+          return distance <= max_distance;
+        });
     part += edge.length() * double (near) / double (distances.size());
     whole += edge.length();
   }
 };
 
-/** How much of what is true was found, and how much of what was found is true. */
 struct EdgeScore {
-  Share wall_edges_found, edges_found, edges_true, corners_found, corners_true;
-  /** Distances at each found centimeter of true edges, and of found corners [m]. */
-  std::vector<double> edge_errors, corner_errors;
+  /** How much of the true edges and corners was found. */
+  Share wall_edges_found, edges_found, corners_found;
+  /** How much of the found edges and corners is true. */
+  Share edges_true, corners_true;
+  /** Distance to the nearest found edge at each centimeter of the true edges where it
+   * is within \ref max_distance [m]. */
+  std::vector<double> edge_errors;
+  /** Distances of the found corners to their true ones [m]. */
+  std::vector<double> corner_errors;
 };
 
-/** Returns for each centimeter of an edge, up to 1 km, the distance to the nearest
- * other edge of the same direction within 7 degrees; infinite if there is no such edge
- * [m]. A longer edge has no more distances, at larger steps. */
+/** Returns for each centimeter of an edge the distance to the nearest of the others
+ * whose direction differs by at most 7 degrees [m]; infinity if there is none. An edge
+ * longer than 1 km has as many distances as one of 1 km, at larger steps. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
@@ -98,13 +105,14 @@ addCorners (const std::vector<PlaneCorner>& truth,
     if (nearest == found.end() || distance (*nearest) > max_distance)
       continue;
     score.corner_errors.push_back (distance (*nearest));
-    found.erase (nearest); // keeps the order, so that ties are deterministic
+    found.erase (nearest); // keeps the order, by which equal distances are decided
     ++score.corners_found.part;
     ++score.corners_true.part;
   }
 }
 
-/** Adds what the default preset finds in a cloud to a score. */
+/** Finds planes in a cloud by the default preset, and adds to a score how their edges
+ * and corners agree with those of the true planes. */
 void
 addCloud (const EvaluationCloud& cloud, EdgeScore& score)
 {
@@ -139,7 +147,7 @@ addCloud (const EvaluationCloud& cloud, EdgeScore& score)
 Answer
 answerOf (const std::string& data_set, const EdgeScore& score)
 {
-  const auto millimeters = [] (const std::vector<double>& errors, double share) {
+  const auto quantile_mm = [] (const std::vector<double>& errors, double share) {
     return 1e3 * quantile (errors, share);
   };
   const auto value = [] (const Share& share) { return share.part / share.whole; };
@@ -147,11 +155,11 @@ answerOf (const std::string& data_set, const EdgeScore& score)
           {"wall_edges_found", value (score.wall_edges_found)},
           {"edges_found", value (score.edges_found)},
           {"edges_true", value (score.edges_true)},
-          {"median_mm", millimeters (score.edge_errors, 0.5)},
-          {"95_%_mm", millimeters (score.edge_errors, 0.95)},
+          {"median_mm", quantile_mm (score.edge_errors, 0.5)},
+          {"95_%_mm", quantile_mm (score.edge_errors, 0.95)},
           {"corners_found", value (score.corners_found)},
           {"corners_true", value (score.corners_true)},
-          {"corners_median_mm", millimeters (score.corner_errors, 0.5)}};
+          {"corners_median_mm", quantile_mm (score.corner_errors, 0.5)}};
 }
 
 } // namespace
@@ -159,7 +167,7 @@ answerOf (const std::string& data_set, const EdgeScore& score)
 int
 edgesCommand (int argc, const char* const* argv)
 {
-  std::vector<std::string> texts;
+  std::vector<std::string> data_set_texts;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   CommandLine line (
       "pcl_ops_evaluate edges",
@@ -169,14 +177,14 @@ edgesCommand (int argc, const char* const* argv)
       "The same are those within 5 cm. Wall edges are of a horizontal and a vertical\n"
       "plane, 1 m and longer.",
       PCL_OPS_VERSION);
-  line.addArguments ("DATASET", texts, data_set_help);
-  bool json = false;
-  line.add ("json", json).help ("print JSON instead of text");
+  line.addArguments ("DATASET", data_set_texts, data_set_help);
+  bool prints_json = false;
+  line.add ("json", prints_json).help ("print JSON instead of text");
   line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   if (!line.parse (argc, argv))
     return ExitCode::done;
   std::vector<DataSet> data_sets;
-  for (const std::string& text : texts)
+  for (const std::string& text : data_set_texts)
     data_sets.push_back (dataSetOf (text, up));
   Answer edges = Answer::array();
   for (const DataSet& data_set : data_sets) {
@@ -192,7 +200,7 @@ edgesCommand (int argc, const char* const* argv)
     }
     edges.push_back (answerOf (data_set.front().data_set, score));
   }
-  print ({{"edges", edges}}, json);
+  print ({{"edges", edges}}, prints_json);
   return ExitCode::done;
 }
 

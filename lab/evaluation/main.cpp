@@ -25,7 +25,7 @@ using namespace pcl_ops::evaluation;
 Eigen::Vector3f
 parseShift (const std::string& text)
 {
-  constexpr double largest = 1e6; // beyond, single precision is too coarse [m]
+  constexpr double largest = 1e6; // above, floats have steps of 6 cm and more [m]
   return Eigen::Vector3f (
       parseNumbers<float, 3> ("--shift",
                               text,
@@ -37,12 +37,12 @@ parseShift (const std::string& text)
 
 /** Options of a run from which \ref readOptions completes the plan. */
 struct RunOptions {
-  std::string folder; // of the results
-  std::vector<std::string> data_sets;
-  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  std::string detectors;
-  std::vector<std::string> own_labels; // NAME=FOLDER
-  std::optional<std::size_t> most_clouds;
+  std::string folder;                            // of the results
+  std::vector<std::string> data_sets;            // texts for dataSetOf
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); // against gravity
+  std::string detectors;                  // list for selectConfigurations; may be empty
+  std::vector<std::string> own_labels;    // texts NAME=FOLDER for ownLabels
+  std::optional<std::size_t> most_clouds; // of each data set; nullopt: all
 };
 
 /** Declares options that select and change clouds of the data sets. */
@@ -52,7 +52,7 @@ declareCloudOptions (CommandLine& line, RunOptions& options, EvaluationPlan& pla
   line.add ("shift X,Y,Z",
             [&plan] (const std::string& text) { plan.shift = parseShift (text); })
       .help ("added to all points: voxels begin elsewhere in them (0,0,0)");
-  line.add ("changes", plan.has_changes)
+  line.add ("changes", plan.runs_on_changes)
       .help ("run on changed copies of the clouds, too, and write how far they agree");
   line.add ("most-clouds N", options.most_clouds, from (1))
       .help ("of each DATASET, evenly spread (all)");
@@ -98,18 +98,19 @@ declareOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
   line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
 }
 
-/** Adds at most \p most clouds, spread evenly over the data set; nullopt: all. */
+/** Adds clouds of a data set to \p clouds, spread evenly over it.
+ * \param[in] max_count nullopt: adds all clouds */
 void
 addClouds (const DataSet& all,
-           std::optional<std::size_t> most,
+           std::optional<std::size_t> max_count,
            std::vector<CloudSource>& clouds)
 {
-  const std::size_t count = std::min (most.value_or (all.size()), all.size());
+  const std::size_t count = std::min (max_count.value_or (all.size()), all.size());
   for (std::size_t i = 0; i < count; ++i)
     clouds.push_back (all[i * all.size() / count]);
 }
 
-/** Returns the named configurations, and one for each --results. */
+/** Returns the configurations of --detectors, and one for each --results. */
 std::vector<Configuration>
 configurationsOf (const RunOptions& options)
 {

@@ -9,10 +9,14 @@ namespace pcl_ops::simulation {
 namespace {
 
 constexpr double edge_of_lot = 45.0; // [m]
-/** The roof of lot i has the surfaces first_roof + 2 i and first_roof + 2 i + 1. */
-constexpr SurfaceId ground = 1, first_roof = 2;
+/** Surface of the ground. */
+constexpr SurfaceId ground = 1;
+/** The roof of lot i has the surfaces first_roof + 2 i (side at +y of the house) and
+ * first_roof + 2 i + 1 (side at -y). */
+constexpr SurfaceId first_roof = 2;
 
-/** Draws a house of common lengths and heights [m]. */
+/** Draws a house of common lengths and heights [m] on a lot.
+ * \param[in] middle of the lot [m] */
 House
 drawHouse (const Vector2d& middle, const Relief& relief, Random& random)
 {
@@ -28,7 +32,8 @@ drawHouse (const Vector2d& middle, const Relief& relief, Random& random)
   return house;
 }
 
-/** \param[in] side of the roof: towards +y (1) or -y (-1) of its house */
+/** Returns the plane of a side of a roof, whose normal points upwards.
+ * \param[in] side at +y (1) or -y (-1) of the house */
 Plane
 roofPlane (const House& house, int side)
 {
@@ -43,32 +48,34 @@ struct SeenSurface {
   SurfaceId surface = no_surface;
 };
 
-/** Returns what is seen from above at a position on a lot, without noise: a leaf of a
- * wood, a roof or the ground. */
+/** Returns what is seen from above at a position, without noise: a leaf of a wood, a
+ * roof or the ground.
+ * \param[in] lot index of the lot of the position
+ * \param[in] position x and y in the frame of the site [m] */
 SeenSurface
 lookDown (const AirborneSite& site,
           std::size_t lot,
           const Vector2d& position,
           Random& random)
 {
-  constexpr double share_of_leaves = 0.7;
-  constexpr double lowest_leaf = 2.0;
-  constexpr double highest_leaf = 16.0; // above the ground [m]
+  constexpr double share_of_leaves = 0.7; // of what is seen of a wood
+  constexpr double lowest_leaf = 2.0;     // above the ground [m]
+  constexpr double highest_leaf = 16.0;   // above the ground [m]
   const bool is_flat = !(site.relief.amplitude > 0.0);
   const double height = site.relief.height (position.x(), position.y());
-  const SeenSurface bare{height, is_flat ? ground : unknown_surface};
+  const SeenSurface bare_ground{height, is_flat ? ground : unknown_surface};
   if (!site.houses[lot])
     return random.chance (share_of_leaves)
                ? SeenSurface{height + random.between (lowest_leaf, highest_leaf),
                              no_surface}
-               : bare;
+               : bare_ground;
   const House& house = *site.houses[lot];
   const Vector2d from_center = position - house.center.head<2>();
-  const Vector2d local = Eigen::Rotation2Dd (-house.yaw) * from_center;
+  const Vector2d local = Eigen::Rotation2Dd (-house.yaw) * from_center; // in its frame
   const double half_width = 0.5 * house.width;
   const double from_ridge = std::abs (local.y());
   if (from_ridge >= half_width || std::abs (local.x()) >= 0.5 * house.length)
-    return bare;
+    return bare_ground;
   const double slope = (house.ridge - house.eaves) / half_width;
   const SurfaceId side = local.y() > 0.0 ? 0 : 1;
   return {house.center.z() + house.ridge - slope * from_ridge,
@@ -113,7 +120,7 @@ SimulatedCloud
 scanAirborne (const AirborneSite& site, std::size_t points, double noise, Seed seed)
 {
   std::vector<Plane> planes{planeThrough (Vector3d::Zero(), Vector3d::UnitZ())};
-  // A wood gets two planes without points, so that the numbers of roofs fit.
+  // A wood gets two planes without points, so that each lot has two surface numbers.
   for (const std::optional<House>& house : site.houses)
     for (const int side : {1, -1})
       planes.push_back (roofPlane (house.value_or (House{}), side));

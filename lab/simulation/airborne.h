@@ -9,10 +9,10 @@
 
 namespace pcl_ops::simulation {
 
-/** Standard deviation of the heights of an airborne survey [m]. */
+/** Standard deviation of the heights of points of an airborne survey [m]. */
 constexpr double airborne_sigma = 0.05;
 
-/** A side of a roof with fewer points gets label 0. */
+/** Points of a side of a roof with fewer points get label 0. */
 constexpr std::size_t min_points_of_roof = 20;
 
 /** A square of lots on hilly or flat ground, which is seen from above, so that walls
@@ -24,7 +24,7 @@ struct AirborneSite {
   /** The house on each lot, row by row; no value if trees cover the lot. */
   std::vector<std::optional<House>> houses = {};
 
-  /** \return edge of the site [m] */
+  /** Returns the edge of the site [m]. */
   double
   width () const;
 };

@@ -21,7 +21,7 @@ drawLeaningBoard (Random& random);
 /** A tilted board on two posts. */
 Body
 drawRamp (Random& random);
-/** A ball, a bin, a lamp or a rolled carpet: nothing is planar. */
+/** A ball, a bin, a lamp or a rolled carpet; none has a planar face. */
 Body
 drawRoundClutter (Random& random);
 
@@ -29,10 +29,13 @@ drawRoundClutter (Random& random);
 // face is a surface, however narrow. No two faces of a piece are coplanar: a detector
 // would be right to join such faces.
 
+/** One board at a height of 0.6 to 0.8 m. */
 Body
 drawBoardTable (Random& random);
+/** One narrower board at a height of 0.4 to 0.5 m. */
 Body
 drawBoardBench (Random& random);
+/** Three or four boards above each other. */
 Body
 drawBoardRack (Random& random);
 

@@ -21,8 +21,8 @@ void
 addHouse (HillyStreet& street, double x, double side, Random& random)
 {
   constexpr double depth = 9.0; // [m]
-  constexpr double above = 6.0; // height of the walls above the ground [m]
-  constexpr double below = 1.0; // and below it [m]
+  constexpr double above = 6.0; // from the ground to the top of the walls [m]
+  constexpr double below = 1.0; // from the ground to the lower end of the walls [m]
   const double length = random.between (12, 20);
   const double y = side * random.between (11, 15);
   const double foot = street.groundHeight (x + 0.5 * length, y);
@@ -35,6 +35,7 @@ addHouse (HillyStreet& street, double x, double side, Random& random)
   street.walls.add (house, Isometry3d::Identity());
 }
 
+/** Draws a bush on either side of the street, low over the ground. */
 Bush
 drawBush (const HillyStreet& street, Random& random)
 {
@@ -53,6 +54,7 @@ drawBush (const HillyStreet& street, Random& random)
 double
 distanceToGround (const HillyStreet& street, const Vector3d& ray)
 {
+  // Each step is longer than the one before by the same factor, growth.
   constexpr int steps = 500;
   const double growth = std::pow (street.lidar.farthest / nearest_reading, 1.0 / steps);
   const auto heightAboveGround = [&] (double distance) {
@@ -64,7 +66,8 @@ distanceToGround (const HillyStreet& street, const Vector3d& ray)
   for (int step = 0; step < steps; ++step) {
     const double next = growth * distance;
     const double next_height = heightAboveGround (next);
-    if (height > 0.0 && next_height <= 0.0)
+    if (height > 0.0 &&
+        next_height <= 0.0) // the ground is taken for straight in a step
       return distance + (next - distance) * height / (height - next_height);
     distance = next;
     height = next_height;

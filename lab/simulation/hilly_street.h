@@ -21,7 +21,7 @@ struct HillyStreet {
   std::vector<Bush> bushes = {};
   Lidar lidar = lidarOf ("lidar-64-level");
 
-  /** \return z of the ground in the lidar's frame [m] */
+  /** Returns z of the ground in the lidar's frame [m]. */
   double
   groundHeight (double x, double y) const;
 };
@@ -30,7 +30,8 @@ struct HillyStreet {
 HillyStreet
 makeHillyStreet (Seed seed);
 
-/** Walls are planes, points on bushes have label 0, the ground is ignored.
+/** Scans the street. Walls are planes, points on bushes have label 0, the ground is
+ * ignored.
  * \param[in] noise factor on \ref lidar_sigma
  * \param[in] organized see \ref toSurfaceCloud */
 SimulatedCloud

@@ -31,12 +31,13 @@ const std::set<std::string> scenes_with_folder = {"town", "walk", "drive"};
 struct SimulationOptions {
   std::string output; // file or folder
   Simulation simulation;
-  double tiles = 4;          // of a town
-  std::uint32_t frames = 50; // of a walk or a drive
-  std::string profile = "correlated";
-  PoseErrors pose_errors;
+  double tiles = 4;                   // number of tiles of a town
+  std::uint32_t frames = 50;          // number of clouds of a walk or a drive
+  std::string profile = "correlated"; // "raw": CameraNoise::is_raw
+  PoseErrors pose_errors;             // of poses.txt of a walk or a drive
   bool quiet = false;
 
+  /** Returns the path of a file in the output folder. */
   std::string
   inFolder (const std::string& name) const
   {
@@ -50,9 +51,10 @@ struct SimulationOptions {
   }
 };
 
-/** Limits for the memory: a point takes 32 bytes, and 16 more while it is written; the
- * points of a town are never all in memory. */
-constexpr double max_points = 1e7, max_points_of_town = 1e12;
+/** Limit for the memory: a point takes 32 bytes, and 16 more while it is written. */
+constexpr double max_points = 1e7;
+/** The points of a town are in memory for one tile at a time. */
+constexpr double max_points_of_town = 1e12;
 
 void
 declareSceneName (CommandLine& line, std::string& scene)
@@ -134,7 +136,8 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.add ("quiet", options.quiet).help ("print nothing");
 }
 
-/** \throw UsageError for options of cameras and rays with a scene that has none */
+/** \throw UsageError for an option of cameras or of rays with a scene that has no
+ * camera or no rays */
 void
 checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
 {
@@ -193,7 +196,8 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
 
 /** Writes files into the output folder and shows the progress.
  * \param[in] noun what a file is, for the progress
- * \param[in] advice to the user if the memory is too small for a file
+ * \param[in] count number of files
+ * \param[in] advice what the user can do if the memory is too small for a file
  * \param[in] nameOf returns the name of a file by its number
  * \param[in] save writes a file, or none if it has no points, and returns its number of
  * points
@@ -276,7 +280,8 @@ writeFrames (const SimulationOptions& options)
   };
   const std::string summary =
       writeFiles (options, options.frames, "frames", advice, nameOf, save);
-  // Old frames of a longer walk would be taken for frames of this one.
+  // Removes frames of an earlier, longer walk: they would be taken for frames of this
+  // one.
   for (std::size_t i = options.frames; fs::remove (options.inFolder (nameOf (i)));)
     ++i;
   savePoses (options.inFolder ("poses.txt"),
@@ -284,8 +289,9 @@ writeFrames (const SimulationOptions& options)
   return summary;
 }
 
+/** Writes a town, a walk or a drive, and prints the summary. */
 void
-runFiles (const SimulationOptions& options)
+writeFolder (const SimulationOptions& options)
 {
   noteInterruptions();
   try {
@@ -301,8 +307,9 @@ runFiles (const SimulationOptions& options)
   }
 }
 
+/** Writes one cloud and prints its numbers of points and planes. */
 void
-runCloud (const SimulationOptions& options)
+writeCloud (const SimulationOptions& options)
 {
   checkWritable (options.output);
   std::optional<StageLines> lines;
@@ -338,9 +345,9 @@ run (int argc, const char* const* argv)
   checkOptions (line, options);
   options.simulation.has_raw_depth = options.profile == "raw";
   if (options.isOfAny (scenes_with_folder))
-    runFiles (options);
+    writeFolder (options);
   else
-    runCloud (options);
+    writeCloud (options);
   return ExitCode::done;
 }
 

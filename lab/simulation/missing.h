@@ -6,8 +6,8 @@
 
 namespace pcl_ops::simulation {
 
-/** Returns 0.01, 0.03, 0.05, 0.1, 0.2, 0.4 and 0.5 for the seeds 1 to 7; later seeds
- * repeat them. */
+/** Returns the share of readings that are missing: 0.01, 0.03, 0.05, 0.1, 0.2, 0.4 and
+ * 0.5 for the seeds 1 to 7; later seeds repeat them. */
 double
 missingShare (Seed seed);
 

@@ -19,11 +19,13 @@ sidesOfRoom ()
   return room.shapes;
 }
 
+/** The waves of a side, a product of a wave along each of its edges. */
 struct Waves {
   double amplitude;        // [m]
   double phase_u, phase_v; // along the edges of the side [rad]
 
-  /** \return how far the side bulges along its normal at a point [m] */
+  /** Returns how far the side bulges along its normal at a point of the flat side [m].
+   */
   double
   bulgeAt (const Shape& side, const Vector3d& point) const
   {
@@ -42,10 +44,11 @@ drawPlaster (Seed seed)
 {
   constexpr std::size_t sizes[] = {
       20'000, 50'000, 100'000, 200'000, 500'000, 1'000'000, 2'000'000};
-  // Seed 1 has the first size. The count is added so that seed 0 has the last one.
-  const std::size_t number = std::size_t (seed) + std::size (sizes) - 1;
+  // Seed 1 has the first size. The number of sizes is added so that seed 0 has the last
+  // one.
+  const std::size_t from_first = std::size_t (seed) + std::size (sizes) - 1;
   Random random = randomFor (Purpose::Plaster, seed);
-  return {random.between (0.002, 0.015), sizes[number % std::size (sizes)]};
+  return {random.between (0.002, 0.015), sizes[from_first % std::size (sizes)]};
 }
 
 SimulatedCloud

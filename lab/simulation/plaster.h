@@ -11,8 +11,8 @@ constexpr double plaster_sigma = 0.001;
 
 /** The laser scan of an empty room whose six sides are wavy. */
 struct Plaster {
-  double amplitude = 0.008; // of waves of 3 m by 4.2 m [m]
-  std::size_t points = 20'000;
+  double amplitude = 0.008;    // of waves of 3 m by 4.2 m [m]
+  std::size_t points = 20'000; // number of points of the scan
 };
 
 /** Draws an amplitude of 2 to 15 mm. The seeds 1 to 7 have 20 thousand to 2 million
@@ -20,7 +20,7 @@ struct Plaster {
 Plaster
 drawPlaster (Seed seed);
 
-/** The sensor is the origin; z is up.
+/** Scans the room. The sensor is at the origin; z is up.
  * \param[in] noise factor on the noise and on the amplitude */
 SimulatedCloud
 scanPlaster (const Plaster& plaster, double noise, Seed seed);

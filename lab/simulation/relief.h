@@ -12,6 +12,7 @@ struct Relief {
   double wave_length = 180.0;         // of the long waves along x [m]
   Vector3d phases = Vector3d::Zero(); // long waves along x, y; short waves [rad]
 
+  /** Returns the height of the ground [m]. */
   double
   height (double x, double y) const
   {
@@ -29,6 +30,7 @@ struct Relief {
   }
 };
 
+/** Draws the phases of hills. */
 inline Relief
 drawRelief (double amplitude, double wave_length, Random& random)
 {

@@ -16,7 +16,7 @@ using Eigen::AlignedBox2d;
 Body
 drawWall (const WallRange& wall, double chance_of_opening, Random& random)
 {
-  constexpr double threshold_height = 0.02; // of a door [m]
+  constexpr double threshold_height = 0.02; // from the floor to the door [m]
   constexpr double beside = 0.2;            // least wall on each side [m]
   Body body;
   if (chance_of_opening <= 0.0 || !random.chance (chance_of_opening)) {
@@ -26,6 +26,7 @@ drawWall (const WallRange& wall, double chance_of_opening, Random& random)
   // Common lengths and heights of doors and windows [m].
   const bool is_door = random.chance (0.4);
   const double width = is_door ? 0.9 : random.between (0.9, 1.7);
+  // Largest distance of the opening's middle from the middle of the wall [m].
   const double reach = 0.5 * (wall.right - wall.left - width) - beside;
   const double middle = random.between (-reach, reach);
   const double bottom = is_door ? threshold_height : random.between (0.8, 1.0);
@@ -37,10 +38,10 @@ drawWall (const WallRange& wall, double chance_of_opening, Random& random)
   return body;
 }
 
-/** What is drawn of a room without furniture. */
+/** The range of rooms from which a room is drawn. */
 struct RoomKind {
   Vector3d smallest, largest; // length, width and height [m]
-  int walls = 4;              // number of walls; 2: beside a corner
+  int walls = 4;              // number of walls; 2: the two walls of a corner
   bool has_ceiling = false;
   double chance_of_opening = 0.0; // chance of a window or a door in each wall
 };
@@ -91,6 +92,7 @@ struct Furnisher {
     return turnZ (0.5 * pi * wall) * at ({along, gap - middle_to_wall, 0});
   }
 
+  /** Places a piece with its back at a wall, almost touching it. */
   void
   placeAtWall (const Body& piece)
   {
@@ -103,6 +105,7 @@ struct Furnisher {
     });
   }
 
+  /** Places a piece anywhere on the floor, with any yaw. */
   void
   placeAnywhere (const Body& piece)
   {
@@ -113,7 +116,8 @@ struct Furnisher {
     });
   }
 
-  /** Draws poses until the piece stands on free floor. Leaves it out after 30 poses. */
+  /** Draws poses until the piece stands on free floor. The room gets no such piece if
+   * that is true of none of 30 poses. */
   template <typename DrawPose>
   void
   place (const Body& piece, const DrawPose& drawPose)
@@ -154,12 +158,12 @@ struct Furnisher {
 constexpr double whole_turn = 2.0 * pi;
 
 /** Returns the pose of an upright camera.
- * \param[in] level horizontal unit vector in which the camera looks */
+ * \param[in] forward horizontal unit vector: the direction in which the camera looks */
 Isometry3d
-upright (const Vector3d& eye, const Vector3d& level)
+upright (const Vector3d& eye, const Vector3d& forward)
 {
   Isometry3d pose = at (eye);
-  pose.linear() << level.cross (Vector3d::UnitZ()), -Vector3d::UnitZ(), level;
+  pose.linear() << forward.cross (Vector3d::UnitZ()), -Vector3d::UnitZ(), forward;
   return pose;
 }
 
@@ -175,23 +179,25 @@ drawPathAround (const Site& room, Random& random)
   constexpr double rise = 0.03;             // amplitude over each step [m]
   constexpr double sway = 2.0 * pi / 180.0; // amplitude of the roll [rad]
   const double start = random.between (0.0, whole_turn);
-  const double turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
+  const double angle_of_path = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
   // As a share of the distance from the middle of the room to the walls.
   const double radius = random.between (0.35, 0.6);
   const double height = random.between (1.4, 1.8); // [m]
   const double pitch = random.angle (8, 18);
   return [=, &room] (double share) -> Isometry3d {
-    const double angle = start + share * turn;
-    const double step = share * steps * whole_turn;
+    const double angle = start + share * angle_of_path;
+    const double step = share * steps * whole_turn; // phase of the steps [rad]
     const Vector3d eye (0.5 * radius * room.size.x() * std::cos (angle),
                         0.5 * radius * room.size.y() * std::sin (angle),
                         height + rise * std::sin (step));
-    const Vector3d level = Vector3d (-eye.x(), -eye.y(), 0.0).normalized();
-    return turnZ (room.yaw) * upright (eye, level) * turnX (-pitch) *
+    const Vector3d forward = Vector3d (-eye.x(), -eye.y(), 0.0).normalized();
+    return turnZ (room.yaw) * upright (eye, forward) * turnX (-pitch) *
            turnZ (sway * std::sin (0.5 * step));
   };
 }
 
+/** Returns poses in equal steps from the begin of a path to its end; a single pose is
+ * at its begin. */
 Poses
 posesOn (const CameraPath& path, std::size_t frames)
 {
@@ -201,10 +207,10 @@ posesOn (const CameraPath& path, std::size_t frames)
   return poses;
 }
 
-/** How many paths are drawn, and on how many views of each surfaces are counted. */
+/** The effort of \ref drawBestPath. */
 struct PathSearch {
-  int paths;
-  std::size_t views;
+  int paths;         // number of paths that are drawn
+  std::size_t views; // number of poses on each path from which surfaces are counted
 };
 
 /** Draws some paths and chooses the one whose worst view shows the most surfaces, the
@@ -296,10 +302,12 @@ drawCameraPose (const Site& room, Seed seed)
   Random random = randomFor (Purpose::CameraPose, seed);
   const auto drawPose = [&] () -> CameraPath {
     constexpr double wall_distance = 0.4; // [m]
-    // Factors on x and y; z is a height [m].
+    // Positions are drawn with x and y from -1 to 1, which reach is to multiply; their
+    // z is a height [m] and stays.
     Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
     reach.z() = 1.0;
-    // The camera looks from anywhere across the room's middle, somewhat downwards.
+    // From anywhere, the camera looks at a position around the middle of the room,
+    // somewhat downwards.
     const Vector3d eye = random.inBox ({-1, -1, 1.1}, {1, 1, 1.8}).cwiseProduct (reach);
     Vector3d target =
         random.inBox ({-0.4, -0.4, 0}, {0.4, 0.4, 0}).cwiseProduct (reach);
@@ -310,7 +318,8 @@ drawCameraPose (const Site& room, Seed seed)
     const Isometry3d pose = turnZ (room.yaw) * level * turnX (pitch) * turnZ (roll);
     return [pose] (double) { return pose; };
   };
-  return drawBestPath (room, {32, 1}, drawPose) (0.0);
+  constexpr PathSearch search{32, 1}; // each path is a single pose
+  return drawBestPath (room, search, drawPose) (0.0);
 }
 
 Poses
@@ -318,7 +327,8 @@ drawWalk (const Site& room, std::size_t frames, Seed seed)
 {
   Random random = randomFor (Purpose::Walk, seed);
   const auto drawPath = [&] { return drawPathAround (room, random); };
-  return posesOn (drawBestPath (room, {8, 12}, drawPath), frames);
+  constexpr PathSearch search{8, 12};
+  return posesOn (drawBestPath (room, search, drawPath), frames);
 }
 
 } // namespace pcl_ops::simulation

@@ -18,6 +18,7 @@ struct RayCast {
   const Vector3d &origin, &direction;
   Hit nearest = {};
 
+  /** \return as Hit::distance; it may be below 0 */
   double
   distanceToRectangle (const Shape& rectangle) const
   {
@@ -25,28 +26,32 @@ struct RayCast {
     const Vector3d to_center = rectangle.center - origin;
     // Not finite for a ray along the plane: a comparison below is then false.
     const double distance = normal.dot (to_center) / normal.dot (direction);
-    const Vector3d offset = distance * direction - to_center;
-    const bool is_inside = std::abs (offset.dot (rectangle.u)) <= rectangle.half_u &&
-                           std::abs (offset.dot (rectangle.v)) <= rectangle.half_v;
+    const Vector3d from_center = distance * direction - to_center;
+    const bool is_inside =
+        std::abs (from_center.dot (rectangle.u)) <= rectangle.half_u &&
+        std::abs (from_center.dot (rectangle.v)) <= rectangle.half_v;
     return is_inside ? distance : infinite;
   }
 
-  /** A cylinder is closed: it is the part of an infinite cylinder between two planes. A
-   * ray exactly along its axis hits nothing.
-   * \return where the ray enters; below 0 if it begins inside */
+  /** A cylinder is the part of an infinite solid cylinder between two planes. A ray
+   * exactly along its axis hits nothing.
+   * \return as Hit::distance, where the ray enters the solid; below 0 if it begins
+   * inside */
   double
   distanceToSphereOrCylinder (const Shape& shape) const
   {
     const bool is_sphere = shape.kind == Kind::Sphere;
     const Vector3d axis = is_sphere ? Vector3d::Zero() : shape.u;
+    // Components along the axis, and vectors at right angles to it. A sphere has no
+    // axis: the components are 0.
     const Vector3d to_center = shape.center - origin;
-    const double along = direction.dot (axis);
+    const double direction_along = direction.dot (axis);
     const double center_along = to_center.dot (axis);
-    const Vector3d across = direction - along * axis;
+    const Vector3d direction_across = direction - direction_along * axis;
     const Vector3d center_across = to_center - center_along * axis;
-    // The ray is on the surface at the roots x of a x^2 - 2 b x + c = 0.
-    const double a = across.squaredNorm();
-    const double b = across.dot (center_across);
+    // The ray is on the round surface at the distances x with a x^2 - 2 b x + c = 0.
+    const double a = direction_across.squaredNorm();
+    const double b = direction_across.dot (center_across);
     const double c = center_across.squaredNorm() - shape.half_v * shape.half_v;
     const double discriminant = b * b - a * c;
     if (discriminant < 0.0 || a <= 0.0)
@@ -55,8 +60,8 @@ struct RayCast {
     double enter = (b - root) / a;
     double leave = (b + root) / a;
     if (!is_sphere) {
-      const double one_end = (center_along - shape.half_u) / along;
-      const double other_end = (center_along + shape.half_u) / along;
+      const double one_end = (center_along - shape.half_u) / direction_along;
+      const double other_end = (center_along + shape.half_u) / direction_along;
       enter = std::max (enter, std::min (one_end, other_end));
       leave = std::min (leave, std::max (one_end, other_end));
     }
@@ -82,7 +87,8 @@ struct RayCast {
   bool
   intersectObject (const Shape& shape)
   {
-    constexpr double smallest_distance = 1e-9; // nearer hits are the ray's own start
+    // Nearer hits are of the shape on which the ray begins.
+    constexpr double smallest_distance = 1e-9;
     const double distance = shape.kind == Kind::Rectangle
                                 ? distanceToRectangle (shape)
                                 : distanceToSphereOrCylinder (shape);
@@ -186,12 +192,13 @@ Body::addPart (const Body& part, const Isometry3d& pose)
 void
 Body::joinCoplanar()
 {
-  constexpr double rounding = 1e-9; // of unit vectors, and of positions [m]
+  constexpr double tolerance =
+      1e-9; // for rounding of unit vectors, and of positions [m]
   for (Shape& shape : shapes) {
     const auto isCoplanar = [&shape] (const Shape& other) {
       return other.surface != no_surface &&
-             other.normal().cross (shape.normal()).norm() < rounding &&
-             std::abs (other.normal().dot (shape.center - other.center)) < rounding;
+             other.normal().cross (shape.normal()).norm() < tolerance &&
+             std::abs (other.normal().dot (shape.center - other.center)) < tolerance;
     };
     if (shape.surface != no_surface)
       shape.surface = std::find_if (shapes.begin(), shapes.end(), isCoplanar)->surface;

@@ -71,14 +71,14 @@ drawLogUniform (double lowest, double highest, Random& random)
   return lowest * std::pow (highest / lowest, random.unit());
 }
 
-/** A shift of the origin to a position [m]. */
+/** Returns a shift of the origin to a position [m]. */
 inline Isometry3d
 at (const Vector3d& position)
 {
   return Isometry3d (Eigen::Translation3d (position));
 }
 
-/** A rotation about the axis x (0), y (1) or z (2) by an angle [rad]. */
+/** Returns a rotation about the axis x (0), y (1) or z (2) by an angle [rad]. */
 template <int axis>
 Isometry3d
 turn (double angle)
@@ -88,7 +88,7 @@ turn (double angle)
 
 constexpr auto turnX = turn<0>, turnY = turn<1>, turnZ = turn<2>;
 
-/** Transforms from the sensor's frame to the scene's frame, one per scan. */
+/** Transforms from the frame of a sensor to that of the scene, one for each scan. */
 using Poses = std::vector<Isometry3d>;
 
 /** Number of a flat surface, from 1 on; all rectangles of a surface have its number. */
@@ -173,10 +173,13 @@ bounding_box (const Shape& shape);
 Shape
 makeRectangle (const Vector3d& center, const Vector3d& edge_u, const Vector3d& edge_v);
 
-/** A rectangle in a wall's frame: x along the wall, z up, y < 0 behind the wall [m]. */
+/** A rectangle in a wall's frame, in which x is along the wall, z is up, and y < 0 is
+ * behind the front of the wall: from x = left to x = right, and from z = bottom to
+ * z = top [m]. */
 struct WallRange {
   double left, right, bottom, top;
 
+  /** \param[in] y of the rectangle [m] */
   Shape
   rectangleAt (double y) const
   {
@@ -189,24 +192,25 @@ struct WallRange {
 /** Faces of a box that are left out because no sensor can see them. */
 enum class HiddenFace { None, Bottom, BottomAndTop };
 
-/** Shapes that stay together, e.g. a piece of furniture, a house or the shell of a
- * room. Surfaces are numbered from 1; in a \ref Scene the numbers go on from body to
- * body. */
+/** Shapes that are placed together in a scene, such as a piece of furniture, a house or
+ * the shell of a room. Surfaces are numbered from 1; in a \ref Scene the numbers go on
+ * from body to body. */
 struct Body {
   /** Extent on the floor along x and y, for furniture [m]. */
   Vector2d footprint = Vector2d::Zero();
   Shapes shapes = {};
-  SurfaceId surface_count = 0;
-  /** A narrower rectangle gets no_surface [m]. The default leaves out the edges of
-   * boards. */
+  SurfaceId surface_count = 0; // the largest number of a surface
+  /** \ref addSurface gives a narrower rectangle no_surface [m]. By default the narrow
+   * faces of boards are no surfaces. */
   double narrowest_surface = 0.05;
 
   /** Adds a rectangle as a new surface, or with no_surface if it is too narrow. */
   void
   addSurface (const Shape& rectangle);
 
-  /** Adds a rectangle between the middles of two opposite edges.
-   * \param[in] edge vector along these edges [m] */
+  /** Adds a rectangle by \ref addSurface, given by two opposite edges.
+   * \param[in] from, to middles of these edges
+   * \param[in] edge vector from one end of each of these edges to its other end [m] */
   void
   addFace (const Vector3d& from, const Vector3d& to, const Vector3d& edge)
   {
@@ -239,18 +243,22 @@ struct Body {
     addCylinder (foot + 0.5 * height * up, up, 0.5 * height, radius);
   }
 
-  /** Adds a box centered at the origin of the pose, along its axes. */
+  /** Adds the faces of a box, whose center is the origin of the pose and whose edges
+   * are along its axes.
+   * \param[in] size lengths of the edges [m] */
   void
   addBox (const Isometry3d& pose,
           const Vector3d& size,
           HiddenFace hidden = HiddenFace::None);
 
-  /** Adds the wall around a hole as one surface, and the hole's back and four sides.
+  /** Adds the wall around a hole as one surface, and the back and the four sides of the
+   * hole as five more. The body's frame is that of the wall (\ref WallRange).
    * \param[in] depth from the front of the wall to the back of the hole [m] */
   void
   addWallAround (const WallRange& wall, const WallRange& hole, double depth);
 
-  /** Adds the shapes of another body; its surfaces get new numbers. */
+  /** Adds the shapes of another body; its surfaces get new numbers.
+   * \param[in] pose from the frame of the part to that of this body */
   void
   addPart (const Body& part, const Isometry3d& pose);
 
@@ -262,26 +270,28 @@ struct Body {
 
 struct Scene {
   std::vector<Body> bodies;
-  SurfaceId surface_count = 0;
+  SurfaceId surface_count = 0; // of all bodies
 
+  /** \param[in] pose from the frame of the body to that of the scene */
   void
   add (const Body& body, const Isometry3d& pose)
   {
     Body& placed = bodies.emplace_back();
-    // addPart() numbers surfaces from this count on.
+    // addPart() gives surfaces the numbers after this count.
     placed.surface_count = surface_count;
     placed.addPart (body, pose);
     surface_count = placed.surface_count;
   }
 };
 
-/** \return the plane of surface i at index i - 1; a default plane for an unused number
+/** Returns the plane of surface i at index i - 1; a default plane for an unused number.
  */
 std::vector<Plane>
 surfacePlanes (const Scene& scene);
 
-/** The nearest hit of a ray is at origin + distance * direction, where the direction
- * may have any length. An infinite distance is no hit. */
+/** Where a ray hits a shape first: at origin + distance * direction. The direction may
+ * have any length, so the distance is in units of this length. An infinite distance is
+ * no hit. */
 struct Hit {
   double distance = std::numeric_limits<double>::infinity();
   SurfaceId surface = no_surface;
@@ -289,10 +299,12 @@ struct Hit {
 
 using ShapeTree = Eigen::KdBVH<double, 3, Shape>;
 
+/** Returns a search tree of all shapes, for \ref castRay. */
 ShapeTree
 treeOf (const Scene& scene);
 
-/** \param[in] shapes rectangles, spheres and cylinders alone */
+/** Returns the nearest hit of a ray.
+ * \param[in] shapes rectangles, spheres and cylinders alone */
 Hit
 castRay (const ShapeTree& shapes, const Vector3d& origin, const Vector3d& direction);
 

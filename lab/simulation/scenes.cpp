@@ -30,7 +30,8 @@ noiseOf (const Simulation& simulation)
   return noise;
 }
 
-/** Returns the number of points of a simulation, or the default of its scene. */
+/** Returns the number of points of a simulation, or \p scene_default if it gives none.
+ */
 std::size_t
 pointsOr (double scene_default, const Simulation& simulation)
 {
@@ -117,7 +118,7 @@ planesSeenFrom (const Isometry3d& pose, Scene scene)
 }
 
 /** Simulates a room in the frame of the camera, as drivers of cameras give it: steps of
- * depth are steps of z, and in the scene "missing", missing readings are at the origin.
+ * depth are steps of z, and missing readings of the scene "missing" are at the origin.
  */
 SimulatedCloud
 simulateInCameraFrame (const Simulation& simulation)
@@ -147,21 +148,23 @@ constexpr struct {
                                 {"missing", simulateInCameraFrame},
                                 {"room-kinect", simulateInCameraFrame}};
 
-/** \param[in] size root mean square of the rotation [degree] and of the shift [cm] */
+/** Draws a rotation and a shift, both with a normal distribution.
+ * \param[in] size root mean square of the rotation angle [degree] and of the length of the
+ * shift [cm] */
 Isometry3d
 drawPoseError (Random& random, double size)
 {
   constexpr double degree = pi / 180.0;
   constexpr double centimeter = 0.01;
   const double sigma_of_each_axis = size / std::sqrt (3.0);
-  const auto draw = [&] (double unit) {
+  const auto drawVector = [&] (double unit) {
     Vector3d drawn;
     for (double& number : drawn)
       number = unit * sigma_of_each_axis * random.gaussian();
     return drawn;
   };
-  const Vector3d rotation = draw (degree);
-  Isometry3d error = at (draw (centimeter));
+  const Vector3d rotation = drawVector (degree);
+  Isometry3d error = at (drawVector (centimeter));
   if (rotation.norm() > 0.0)
     error.rotate (Eigen::AngleAxisd (rotation.norm(), rotation.normalized()));
   return error;
@@ -194,7 +197,7 @@ simulate (const Simulation& simulation)
   for (const auto& [scene, simulateScene] : scenes_with_own_function)
     if (simulation.scene == scene)
       return simulateScene (simulation);
-  if (simulation.points) // of all surfaces, as if from everywhere
+  if (simulation.points) // a scan of all surfaces, without a sensor
     return scanDensely (siteOf (simulation).scene,
                         std::size_t (*simulation.points),
                         simulation.noise,
@@ -210,7 +213,7 @@ measuredPoses (const Poses& poses, const PoseErrors& errors, Seed seed)
 {
   Random random = randomFor (Purpose::PoseError, seed);
   Poses result;
-  Isometry3d drifting = Isometry3d::Identity();
+  Isometry3d drifting = Isometry3d::Identity(); // the pose with the drift so far
   for (std::size_t i = 0; i < poses.size(); ++i) {
     drifting = i == 0 ? poses[0]
                       : drifting * poses[i - 1].inverse() * poses[i] *

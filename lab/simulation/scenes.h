@@ -30,8 +30,9 @@ makeRoom (Seed seed);
 Site
 makeFurnishedCorner (Seed seed);
 
-/** Counts the surfaces that have at least 5 of the 48 x 36 pixels of a depth camera; 0
- * if a shape is less than 0.7 m in front of it. */
+/** Counts the surfaces that have at least 5 of the 48 x 36 pixels of a depth camera.
+ * Returns 0 if the depth of any pixel is below 0.7 m.
+ * \param[in] pose of the camera */
 int
 countVisibleSurfaces (const Scene& scene, const Isometry3d& pose);
 
@@ -40,8 +41,9 @@ countVisibleSurfaces (const Scene& scene, const Isometry3d& pose);
 Isometry3d
 drawCameraPose (const Site& room, Seed seed);
 
-/** Draws camera poses on three quarters of a turn around the middle of a room. The
- * camera looks across the middle. Each wall is out of view for a part of the way. */
+/** Draws the poses of a camera that goes three quarters of a turn around the middle of
+ * a room and looks across the middle. Each wall is out of view for a part of the way.
+ * \param[in] frames number of poses */
 Poses
 drawWalk (const Site& room, std::size_t frames, Seed seed);
 
@@ -55,12 +57,13 @@ makeStreet (Seed seed);
 Isometry3d
 drawSensorPose (const Site& street, Seed seed);
 
-/** Draws lidar poses along the right lane, in equal steps of up to 1 m. They are spread
- * around the street's middle over at most half its length; the car sways a little. */
+/** Draws lidar poses along the right lane, in equal steps of up to 1 m. They cover at
+ * most half of the street's length, around its middle; the car sways a little.
+ * \param[in] frames number of poses */
 Poses
 drawDrive (const Site& street, std::size_t frames, Seed seed);
 
-/** Standard deviation of the points of shapes [m]. */
+/** Standard deviation of the points of shapes along their normal [m]. */
 constexpr double shapes_sigma = 0.002;
 
 /** Scans a sphere, a cylinder, a cone and a torus in a row, parts of four larger shapes
@@ -76,14 +79,15 @@ struct Simulation {
   std::string scene = "room"; // see --scene of pcl_ops_simulate
   Seed seed = 1;
   DepthCamera camera = {};    // for rooms, corners with furniture, walks and tables
-  bool has_raw_depth = false; // see CameraNoise::is_raw
-  std::string sensor = "lidar-64"; // for streets and drives
-  double noise = 1.0;              // factor on the noise
+  bool has_raw_depth = false; // CameraNoise::is_raw
+  std::string sensor = "lidar-64"; // Lidar::name, for streets and drives
+  double noise = 1.0;              // factor on the noise of the scene
   /** Number of points of scans without a sensor position. nullopt: the default of the
    * scene; a room is then seen by the camera. */
   std::optional<double> points = std::nullopt;
   bool organized = false; // see toSurfaceCloud
 
+  /** Whether \ref sensor is used. */
   bool
   hasLidar () const
   {
@@ -95,11 +99,11 @@ struct Simulation {
 SimulatedCloud
 simulate (const Simulation& simulation);
 
-/** A scene and the scans of it by a sensor that moves. */
+/** A scene, and what a sensor that moves sees of it. */
 struct SensorView {
   Scene scene;
-  Poses poses;                                  // of each frame
-  std::function<Scan (std::size_t frame)> scan; // scan from poses[frame]
+  Poses poses;                                  // of the sensor, for each frame
+  std::function<Scan (std::size_t frame)> scan; // returns the scan from poses[frame]
 };
 
 /** Returns the view of a camera in a room, a corner or on a walk, or of a lidar in a
@@ -111,8 +115,8 @@ viewOf (const Simulation& simulation, std::size_t frames = 1);
 /** Root mean square pose errors: a value x is a rotation of x degrees and a shift of x
  * centimeters. */
 struct PoseErrors {
-  double each = 0.0;  // of each pose by itself
-  double drift = 0.0; // of each step from pose to pose; these accumulate
+  double each = 0.0;  // error of each pose, independent of other poses
+  double drift = 0.0; // error of each step from pose to pose; the sum grows
 };
 
 /** Returns the poses with random errors, as a measurement gives them. */

@@ -11,8 +11,8 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** Readings outside this range of depth are lost [m]. */
-constexpr double nearest = 0.5, farthest = 8.0;
+/** A depth camera loses readings outside this range of depth, ends included [m]. */
+constexpr double min_depth = 0.5, max_depth = 8.0;
 constexpr double no_reading = std::numeric_limits<double>::infinity();
 
 /** Draws standard normal values, one per pixel. Unless the noise is raw, neighbors are
@@ -20,11 +20,12 @@ constexpr double no_reading = std::numeric_limits<double>::infinity();
 Field
 drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
+  // Of the filter [px]; beyond three standard deviations it is cut off.
   const int radius = noise.is_raw ? 0 : int (std::ceil (3.0 * noise.smoothing));
   Field field (camera.height + 2 * radius, camera.width + 2 * radius);
   std::generate_n (field.data(), field.size(), [&] { return random.gaussian(); });
   std::vector<double> kernel;
-  double sum_of_squares = 0.0; // variance after filtering of white noise
+  double sum_of_squares = 0.0; // variance of white noise of variance 1 after the filter
   for (int i = -radius; i <= radius; ++i) {
     kernel.push_back (std::exp (-0.5 * i * i / (noise.smoothing * noise.smoothing)));
     sum_of_squares += kernel.back() * kernel.back();
@@ -40,34 +41,40 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
   return field;
 }
 
-/** Returns the first of the four neighboring depths that is across a depth edge. */
+/** Returns the first of the four neighboring depths that differs from the depth of the
+ * pixel as across an edge; nullopt if none does. */
 std::optional<double>
 depthBeyondEdge (const Field& depths, Eigen::Index row, Eigen::Index column)
 {
   // Neighboring depths that differ by more, relative to the depth, are an edge.
   constexpr double edge_ratio = 0.05;
+  // How far each neighbor is down and to the right.
   constexpr Eigen::Index neighbors[4][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
   const double here = depths (row, column);
   for (const auto& [down, right] : neighbors) {
-    const Eigen::Index r = row + down;
-    const Eigen::Index c = column + right;
-    if (c < 0 || c >= depths.cols() || r < 0 || r >= depths.rows())
+    const Eigen::Index other_row = row + down;
+    const Eigen::Index other_column = column + right;
+    const bool is_outside = other_column < 0 || other_column >= depths.cols() ||
+                            other_row < 0 || other_row >= depths.rows();
+    if (is_outside)
       continue;
-    const double other = depths (r, c);
+    const double other = depths (other_row, other_column);
     if (std::abs (other - here) > edge_ratio * std::min (other, here))
       return other;
   }
   return std::nullopt;
 }
 
-/** Moves some pixels at depth edges between the two sides, and loses others. */
+/** Moves some pixels at depth edges to a depth between the two sides of the edge
+ * (flying pixels), and loses others. */
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
+  // Shares of the pixels at depth edges.
   constexpr double flying_share = 0.3;
   constexpr double lost_share = 0.2;
   const Field exact = image.depth;
-  // Noise below that of a Kinect makes flying and lost pixels rarer.
+  // Less noise than that of a Kinect makes flying and lost pixels rarer.
   const double strength = std::min (1.0, noise.scale);
   for (Eigen::Index row = 0; row < exact.rows(); ++row)
     for (Eigen::Index column = 0; column < exact.cols(); ++column) {
@@ -85,7 +92,7 @@ disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
     }
 }
 
-/** Adds all noise except for the noise of ray directions. */
+/** Adds flying and lost pixels, noise of depths and steps of depth. */
 void
 disturbDepths (DepthImage& image,
                const DepthCamera& camera,
@@ -113,6 +120,8 @@ disturbDepths (DepthImage& image,
   }
 }
 
+/** Returns the direction of a beam of a rotating lidar.
+ * \param[in] step number of the cast, from 0 at the front */
 Vector3d
 rotatingRay (const Lidar& lidar, int step, int beam)
 {
@@ -124,24 +133,26 @@ rotatingRay (const Lidar& lidar, int step, int beam)
 }
 
 /** Returns the direction of a beam that passes two counter-rotating prisms. Each prism
- * bends it by half of the largest deflection. */
+ * deflects it by half of the largest deflection.
+ * \param[in] ray number of the ray, from 0 on over all scans */
 Vector3d
 rosetteRay (const Lidar& lidar, std::size_t ray)
 {
-  // Speeds of a Livox Mid-40 [1/s]: the rosette is closed after half a minute.
+  // Turns of the prisms of a Livox Mid-40 [1/s]: the rosette closes after half a
+  // minute.
   constexpr double turns_of_first = 7294.0 / 60.0;
   constexpr double turns_of_second = -4664.0 / 60.0;
   constexpr double rays_a_second = 1e5;
-  const double time = double (ray) / rays_a_second;
-  const double first = 2.0 * pi * turns_of_first * time;
-  const double second = 2.0 * pi * turns_of_second * time;
+  const double time = double (ray) / rays_a_second;        // [s]
+  const double first = 2.0 * pi * turns_of_first * time;   // angle of the prism [rad]
+  const double second = 2.0 * pi * turns_of_second * time; // [rad]
   // The largest deflection is half of the field of view; each prism has half of it.
-  const double bent = 0.25 * (lidar.highest - lidar.lowest) * pi / 180.0; // [rad]
-  const double left = bent * (std::cos (first) + std::cos (second));
-  const double up = bent * (std::sin (first) + std::sin (second));
-  const double angle = std::hypot (left, up);
-  const double sine_ratio = angle > 0.0 ? std::sin (angle) / angle : 1.0;
-  return {std::cos (angle), sine_ratio * left, sine_ratio * up};
+  const double by_prism = 0.25 * (lidar.highest - lidar.lowest) * pi / 180.0; // [rad]
+  const double to_left = by_prism * (std::cos (first) + std::cos (second));   // [rad]
+  const double upwards = by_prism * (std::sin (first) + std::sin (second));   // [rad]
+  const double deflection = std::hypot (to_left, upwards);
+  const double sine_ratio = deflection > 0.0 ? std::sin (deflection) / deflection : 1.0;
+  return {std::cos (deflection), sine_ratio * to_left, sine_ratio * upwards};
 }
 
 } // namespace
@@ -152,9 +163,8 @@ castDepthImage (const Scene& scene,
                 const Isometry3d& pose,
                 const Jitter& jitter)
 {
-  // Largest difference between the depths on the pixel's own and on the jittered ray,
-  // relative to the depth. A larger one means a grazing view, which keeps the depth on
-  // the jittered ray.
+  // Largest difference between the depths on the exact and on the jittered ray,
+  // relative to the depth. A larger one means a grazing view.
   constexpr double max_change = 0.1;
   DepthImage image{Field (camera.height, camera.width), {}};
   const std::vector<Plane> planes = surfacePlanes (scene);
@@ -173,9 +183,9 @@ castDepthImage (const Scene& scene,
       if (hit.surface == no_surface)
         continue;
       const Plane& plane = planes[hit.surface - 1];
-      const double depth_on_own_ray = -plane.distance (eye) / plane.normal.dot (ray);
-      if (std::abs (depth_on_own_ray - depth) < max_change * depth)
-        depth = depth_on_own_ray;
+      const double depth_on_exact_ray = -plane.distance (eye) / plane.normal.dot (ray);
+      if (std::abs (depth_on_exact_ray - depth) < max_change * depth)
+        depth = depth_on_exact_ray;
     }
   return image;
 }
@@ -201,8 +211,8 @@ scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& no
 double
 drawQuantization (Seed seed)
 {
-  constexpr double depth = 5.0;
-  constexpr double finest_step = 0.065;
+  constexpr double depth = 5.0;          // [m]
+  constexpr double finest_step = 0.065;  // at this depth [m]
   constexpr double coarsest_step = 0.08; // [m]
   Random random = randomFor (Purpose::Quantization, seed);
   return depth * depth / random.between (finest_step, coarsest_step);
@@ -216,7 +226,7 @@ toScan (DepthImage image, const DepthCamera& camera)
   for (int row = 0; row < camera.height; ++row)
     for (int column = 0; column < camera.width; ++column) {
       const double depth = image.depth (row, column);
-      const bool is_read = depth >= nearest && depth <= farthest;
+      const bool is_read = depth >= min_depth && depth <= max_depth;
       scan.points.push_back (is_read ? Vector3d (depth * camera.ray (column, row))
                                      : Vector3d::Constant (std::nan ("")));
     }
@@ -226,13 +236,14 @@ toScan (DepthImage image, const DepthCamera& camera)
 double
 Lidar::elevation (int beam) const
 {
-  const auto spread = [] (double from, double to, int number, int count) {
+  // Elevation of a beam by its number, of some beams with equal spacing.
+  const auto equallySpaced = [] (double from, double to, int number, int count) {
     const double share = double (number) / (count - 1);
     return from + share * (to - from);
   };
   if (!is_dense_at_level)
-    return spread (highest, lowest, beam, beams);
-  // Equal spacing within each of four ranges, as of a Hesai Pandar64.
+    return equallySpaced (highest, lowest, beam, beams);
+  // The elevations of a Hesai Pandar64: equal spacing within each of four ranges.
   constexpr struct {
     double highest, lowest; // [degree]
     int beams;
@@ -240,7 +251,7 @@ Lidar::elevation (int beam) const
   int number_in_range = beam;
   for (const auto& range : ranges) {
     if (number_in_range < range.beams)
-      return spread (range.highest, range.lowest, number_in_range, range.beams);
+      return equallySpaced (range.highest, range.lowest, number_in_range, range.beams);
     number_in_range -= range.beams;
   }
   return lowest;
@@ -255,13 +266,13 @@ lidarOf (const std::string& name)
 }
 
 Scan
-scanAround (const View& view, const Lidar& lidar, double noise, std::size_t number)
+scanAround (const View& view, const Lidar& lidar, double noise, std::size_t scan_number)
 {
   const ShapeTree shapes = treeOf (view.scene);
   const auto cast = [&] (const Vector3d& ray) {
     return castRay (shapes, view.pose.translation(), view.pose.linear() * ray);
   };
-  return scanAround (cast, lidar, noise, view.seed, number);
+  return scanAround (cast, lidar, noise, view.seed, scan_number);
 }
 
 Scan
@@ -269,7 +280,7 @@ scanAround (const CastRay& cast,
             const Lidar& lidar,
             double noise,
             Seed seed,
-            std::size_t number)
+            std::size_t scan_number)
 {
   Random random = randomFor (Purpose::LidarNoise, seed);
   Scan scan{std::size_t (lidar.steps), std::size_t (lidar.beams), true};
@@ -279,10 +290,11 @@ scanAround (const CastRay& cast,
   for (std::size_t i = 0; i < rays; ++i) {
     const Vector3d ray =
         lidar.isRosette()
-            ? rosetteRay (lidar, number * rays + i)
+            ? rosetteRay (lidar, scan_number * rays + i)
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
     const Hit hit = cast (ray);
-    // Drawn for every ray, so that a further reading does not change the others.
+    // Drawn also for rays without a hit, so that a hit more or less does not change the
+    // errors of the other rays.
     const double error = noise * lidar_sigma * random.gaussian();
     const double distance = hit.distance + error;
     if (!(distance > 0.0 && distance <= lidar.farthest))

@@ -10,20 +10,22 @@
 
 namespace pcl_ops::simulation {
 
-/** Columns of a Kinect's depth image, and its focal length [px]. */
-constexpr double kinect_columns = 640.0, kinect_focal_length = 525.0;
+/** Number of columns of a Kinect's depth image. */
+constexpr double kinect_columns = 640.0;
+/** Focal length of a Kinect's depth camera [px]. */
+constexpr double kinect_focal_length = 525.0;
 
 /** A pinhole camera with the axes x right, y down, z forward. */
 struct DepthCamera {
   int width = 640, height = 480; // of the image [px]
 
-  /** \return direction of a pixel's ray in the camera's frame, scaled to z = 1, so that
-   * a distance along it is a depth */
+  /** Returns the direction of a pixel's ray in the camera's frame, scaled to z = 1, so
+   * that Hit::distance is a depth.
+   * \param[in] column, row of the pixel; they may lie between pixels */
   Vector3d
   ray (double column, double row) const
   {
-    // Scaled with the width: the columns of any image span a Kinect's field of view
-    // [px].
+    // In pixels of this image: an image of any width spans a Kinect's field of view.
     const double focal_length = kinect_focal_length * width / kinect_columns;
     return {(column - 0.5 * (width - 1)) / focal_length,
             (row - 0.5 * (height - 1)) / focal_length,
@@ -39,12 +41,15 @@ struct DepthImage {
   std::vector<SurfaceId> surface; // of each pixel, row by row
 };
 
-/** Offsets in columns and in rows from a pixel to the ray that finds its surface [px];
- * empty: no offsets. They make depth edges ragged. The depth is still that of the found
- * surface on the pixel's own ray; for \ref no_surface and in grazing views it is that
- * on the ray with the offset. */
+/** For each pixel, how far the ray that is cast for it is off in columns (index 0) and
+ * in rows (index 1) [px]; empty fields: rays are exact. */
 using Jitter = std::array<Field, 2>;
 
+/** Casts a ray for each pixel. With jitter, the ray finds the surface of the pixel, so
+ * that depth edges are ragged; the depth is that of the plane of this surface on the
+ * exact ray. For \ref no_surface, and where the surface is seen at a grazing angle, it
+ * is the depth on the ray that was cast.
+ * \param[in] pose of the camera in the scene */
 DepthImage
 castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
@@ -58,6 +63,7 @@ struct View {
   Seed seed; // of the noise
 };
 
+/** The errors of a depth camera. */
 struct CameraNoise {
   /** Factor on all noise; 1: as measured on a Kinect, 0: no noise. */
   double scale = 1.0;
@@ -67,12 +73,13 @@ struct CameraNoise {
   /** Standard deviation s of the Gaussian filter of smoothed depth [px]: at a distance
    * d the correlation is exp (-d^2 / (4 s^2)). */
   double smoothing = 3.0;
-  /** If this q > 0, smoothed depth is rounded to q / n with an integer n, so that its
-   * steps at a depth z are z^2 / q [m]. 0: no steps. */
+  /** Above 0: each smoothed depth z is rounded to the nearest quantization / n, where n
+   * is an integer; so the steps of depth are z^2 / quantization [m]. 0: no steps. */
   double quantization = 0.0;
 };
 
-/** Draws \ref CameraNoise::quantization of a Kinect: steps of 6.5 to 8 cm at 5 m. */
+/** Draws \ref CameraNoise::quantization of a Kinect [m]: its depth has steps of 6.5 to
+ * 8 cm at 5 m. */
 double
 drawQuantization (Seed seed);
 
@@ -94,9 +101,11 @@ constexpr double lidar_sigma = 0.02;
  * beam follows a rosette, whose gaps the next scans fill. */
 struct Lidar {
   const char* name;
-  int beams, steps;       // number of beams cast at once, and of casts per scan
-  double highest, lowest; // elevations of the outer beams or rosette edge [degree]
-  double farthest;        // readings beyond are lost [m]
+  int beams;       // number of rays that are cast at once; 1: a rosette
+  int steps;       // number of times that they are cast in a scan
+  double highest;  // elevation of the highest beam, or of the rosette's top [degree]
+  double lowest;   // elevation of the lowest beam, or of the rosette's bottom [degree]
+  double farthest; // readings at larger distances are lost [m]
   /** True: the 64 elevations of a Hesai Pandar64, most of them within 6 degrees of
    * horizontal. False: equal spacing from \ref highest to \ref lowest. */
   bool is_dense_at_level = false;
@@ -107,13 +116,14 @@ struct Lidar {
     return beams == 1;
   }
 
-  /** \param[in] beam of a rotating lidar, 0 is the highest
-   * \return elevation [degree] */
+  /** Returns the elevation of a beam of a rotating lidar [degree].
+   * \param[in] beam 0 is the highest */
   double
   elevation (int beam) const;
 };
 
-/** Like a Velodyne HDL-64E, HDL-32E, VLP-16, a Hesai Pandar64 and a Livox Avia. */
+/** In this order, like a Velodyne HDL-64E, HDL-32E, VLP-16, a Hesai Pandar64 and a
+ * Livox Avia. */
 constexpr Lidar known_lidars[] = {
     {"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
     {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
@@ -125,23 +135,27 @@ constexpr Lidar known_lidars[] = {
 Lidar
 lidarOf (const std::string& name);
 
-/** Returns the nearest hit of a ray from the sensor.
+/** A function that returns the nearest hit of a ray from the sensor.
  * \param[in] ray of length 1, in the sensor's frame */
 using CastRay = std::function<Hit (const Vector3d& ray)>;
 
 /** Simulates a scan; rays without a hit in range have NaN points.
  * \param[in] noise factor on \ref lidar_sigma
  * \param[in] seed of the noise
- * \param[in] number of the scan, from 0 on: a rosette continues where the scan before
- * ended */
+ * \param[in] scan_number from 0 on: the rosette of a scan continues where that of the scan
+ * before ended */
 Scan
 scanAround (const CastRay& cast,
             const Lidar& lidar,
             double noise,
             Seed seed,
-            std::size_t number = 0);
+            std::size_t scan_number = 0);
 
+/** Simulates a scan of a scene, as the function above. */
 Scan
-scanAround (const View& view, const Lidar& lidar, double noise, std::size_t number = 0);
+scanAround (const View& view,
+            const Lidar& lidar,
+            double noise,
+            std::size_t scan_number = 0);
 
 } // namespace pcl_ops::simulation

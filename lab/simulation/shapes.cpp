@@ -10,17 +10,18 @@ namespace {
 
 using Kind = Shape::Kind;
 
-/** Ranges of \ref Shape::half_v (radius) and \ref Shape::half_u (height) of small
- * shapes [m], and of the height of large shapes, whose radii \ref drawLarge draws. The
- * height of a cylinder is half its length, that of a torus the radius of its tube.
- * Domes have no range: a small one is a whole sphere, the height of a large one follows
- * from its length. large_height is in meters for cylinders, in radii for cones, and in
- * smallest radii of large shapes for tori. */
+/** The sizes of the round shapes of a kind. The radius is Shape::half_v; the height is
+ * Shape::half_u, which is half the length of a cylinder and the radius of a torus's
+ * tube. Not used are heights of domes: a small dome is a whole sphere, and the height
+ * of a large one follows from its length. Radii of large shapes are drawn by \ref
+ * drawLarge. */
 constexpr struct ShapeSizes {
   Kind kind;
   struct {
     double lower, upper;
-  } small_radius, small_height, large_height;
+  } small_radius, small_height, // of small shapes [m]
+      large_height; // of large shapes; cylinder: [m], cone: in radii of the cone,
+                    // torus: in smallest radii of large shapes
 } sizes_of_shapes[] = {{Kind::Dome, {0.3, 0.6}, {0.0, 0.0}, {0.0, 0.0}},
                        {Kind::Cylinder, {0.15, 0.4}, {0.5, 1.0}, {0.5, 0.8}},
                        {Kind::Cone, {0.3, 0.6}, {0.8, 1.6}, {0.7, 1.0}},
@@ -39,8 +40,9 @@ makeRound (
 /** Number of kinds of shapes; each row along x has one of each. */
 constexpr int count_in_row = 4;
 
-/** \return x of a shape in a row centered at x = 0 [m]
- * \param[in] position in the row, from 0 to 3 */
+/** Returns x of a shape in a row whose middle is x = 0 [m].
+ * \param[in] position in the row, from 0 to 3
+ * \param[in] distance from shape to shape [m] */
 double
 xInRow (int position, double distance)
 {
@@ -52,25 +54,28 @@ xInRow (int position, double distance)
 Shape
 drawSmall (const ShapeSizes& sizes, int position, Random& random)
 {
-  // Distance of shapes in the row, with room for the two largest, and y of the row [m].
+  // Distance from shape to shape, with room for two of the largest, and y of the row
+  // [m].
   constexpr double distance = 1.8;
-  constexpr double row = -1.2;
+  constexpr double y_of_row = -1.2;
   const auto& [lowest_radius, highest_radius] = sizes.small_radius;
   const auto& [lowest, highest] = sizes.small_height;
   const double radius = random.between (lowest_radius, highest_radius);
   const bool is_sphere = sizes.kind == Kind::Dome; // as high as its sphere
   const double height = is_sphere ? 2.0 * radius : random.between (lowest, highest);
-  const double z = is_sphere ? radius : height;
-  return makeRound (sizes.kind, {xInRow (position, distance), row, z}, radius, height);
+  const double z = is_sphere ? radius : height; // of the center; its foot is at 0
+  return makeRound (
+      sizes.kind, {xInRow (position, distance), y_of_row, z}, radius, height);
 }
 
-/** Draws a part of a large shape, in a row behind the small shapes. */
+/** Draws a part of a large shape, in a row behind the small shapes.
+ * \param[in] position in the row, from 0 to 3 */
 Shape
 drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
-  // Distance of shapes in the row, and y of the row [m].
+  // Distance from shape to shape, and y of the row [m].
   constexpr double distance = 3.0;
-  constexpr double row = -3.8;
+  constexpr double y_of_row = -3.8;
   constexpr double smallest_radius = 0.6, largest_radius = 5.5; // [m]
   const double x = xInRow (position, distance);
   const double radius = drawLogUniform (smallest_radius, largest_radius, random);
@@ -85,13 +90,15 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   const double length = std::min (random.between (2.0, 2.4), 2.0 * radius);
   const double share = length / (2.0 * pi * radius);
   if (!is_dome)
-    return makeRound (sizes.kind, {x, row - radius, height}, radius, height, share);
+    return makeRound (
+        sizes.kind, {x, y_of_row - radius, height}, radius, height, share);
   const double height_of_dome = radius * (1.0 - std::cos (pi * share));
   return makeRound (
-      sizes.kind, {x, row, height_of_dome - radius}, radius, height_of_dome);
+      sizes.kind, {x, y_of_row, height_of_dome - radius}, radius, height_of_dome);
 }
 
-/** Draws a board on the middle of the ground, with any yaw, leaning back a little. */
+/** Draws a board that stands on the middle of the ground, with any yaw, and leans back
+ * by up to 20 degrees. */
 Shape
 drawBoard (const Shape& ground, Random& random)
 {

@@ -37,12 +37,14 @@ drawOnCone (const Shape& cone, Random& random)
 SurfacePoint
 drawOnTorus (const Shape& torus, Random& random)
 {
-  const double ring = torus.half_v;
-  const double tube = torus.half_u; // radii [m]
+  const double ring = torus.half_v; // radius [m]
+  const double tube = torus.half_u; // radius [m]
   const Vector3d outwards = drawHorizontal (random);
   const Vector3d up = Vector3d::UnitZ();
-  double around_tube = 0.0;
-  do // the outer side of the ring is longer than the inner one
+  double around_tube = 0.0; // angle from the outer side of the ring [rad]
+  // The outer side has more area than the inner one: angles are accepted with a chance
+  // in proportion to the circumference of the ring there.
+  do
     around_tube = random.between (0, 2.0 * pi);
   while (!random.chance ((ring + tube * std::cos (around_tube)) / (ring + tube)));
   const Vector3d normal =
@@ -73,7 +75,9 @@ drawOnWholeTurn (const Shape& shape, Random& random)
   }
   // Slices of a sphere of equal height have equal area (Archimedes).
   const bool is_dome = shape.kind == Kind::Dome;
-  const double z = random.between (is_dome ? 1.0 - shape.half_u / shape.half_v : -1, 1);
+  // Heights over the center, in radii.
+  const double lowest = is_dome ? 1.0 - shape.half_u / shape.half_v : -1;
+  const double z = random.between (lowest, 1);
   const double horizontal = std::sqrt (1.0 - z * z);
   const Vector3d normal = horizontal * drawHorizontal (random) + z * Vector3d::UnitZ();
   return {shape.center + shape.half_v * normal, normal};
@@ -163,8 +167,8 @@ drawPoint (const Shape& shape, Random& random)
   const SurfacePoint whole = drawOnWholeTurn (shape, random);
   if (!(shape.share < 1.0))
     return whole;
-  // The angle about the axis, from +y on, is scaled into the part of the shape that
-  // exists.
+  // The shape exists on both sides of +y: the angle about the axis, from +y on, is
+  // multiplied by the share.
   const Vector3d local = whole.position - shape.center;
   const double around = std::atan2 (-local.x(), local.y());
   const Eigen::AngleAxisd turn ((shape.share - 1.0) * around, Vector3d::UnitZ());
@@ -175,8 +179,8 @@ LabeledCloud
 drawPoints (const Shapes& shapes, std::size_t points, double sigma, Random& random)
 {
   LabeledCloud cloud;
-  double whole_area = 0.0;
-  double area_so_far = 0.0;
+  double whole_area = 0.0;  // [m^2]
+  double area_so_far = 0.0; // of the shapes that have their points [m^2]
   for (const Shape& shape : shapes)
     whole_area += shape.area();
   if (!(whole_area > 0.0))
@@ -184,10 +188,10 @@ drawPoints (const Shapes& shapes, std::size_t points, double sigma, Random& rand
   cloud.reserve (points);
   for (const Shape& shape : shapes) {
     area_so_far += shape.area();
-    // Rounding the running total gives every shape its share and all of them \p points.
+    // Rounding this sum instead of each shape's number makes the total exact.
     const double share = std::min (1.0, area_so_far / whole_area);
-    const auto end = std::size_t (std::llround (share * double (points)));
-    while (cloud.size() < end) {
+    const auto points_so_far = std::size_t (std::llround (share * double (points)));
+    while (cloud.size() < points_so_far) {
       const SurfacePoint exact = drawPoint (shape, random);
       const double error = sigma * random.gaussian();
       cloud.push_back (pointAt (exact.position + error * exact.normal, shape.surface));

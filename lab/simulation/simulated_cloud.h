@@ -15,17 +15,17 @@ using LabeledCloud = pcl::PointCloud<pcl::PointXYZL>;
 struct SimulatedCloud {
   LabeledCloud cloud;
   std::vector<Plane> planes; // the plane of label i at index i - 1
-  /** Whether the truth of a point is unknown, per point, as on hilly ground: any label
-   * is right there. Empty: all truth is known. */
+  /** For each point, whether its truth is unknown, as on hilly ground: any label is
+   * right there. Empty: all truth is known. */
   std::vector<char> is_ignored = {};
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
 };
 
-/** Number of a surface that is no plane, but has parts that a detector may rightly call
- * planes. */
+/** Number of surfaces that are no planes, but have parts that a detector may rightly
+ * call planes: their truth is unknown. */
 constexpr SurfaceId unknown_surface = std::numeric_limits<SurfaceId>::max();
 
-/** Points of a surface with fewer points get label 0. */
+/** Default of \ref labeledBySize: points of a surface with fewer points get label 0. */
 constexpr std::size_t min_points_of_plane = 50;
 
 /** Replaces surface numbers by labels, in the order of falling number of points.
@@ -38,6 +38,7 @@ labeledBySize (LabeledCloud cloud,
                const std::vector<Plane>& surfaces,
                std::size_t min_points = min_points_of_plane);
 
+/** \param[in] surface becomes the label */
 pcl::PointXYZL
 pointAt (const Vector3d& position, SurfaceId surface);
 
@@ -82,6 +83,7 @@ constexpr double laser_sigma = 0.003;
 /** Scans all rectangles, spheres and cylinders with equal density, also hidden ones, as
  * if scans from everywhere were joined. The sensor's origin is the middle of the first
  * body, which is the shell of a room.
+ * \param[in] points number of points
  * \param[in] noise factor on \ref laser_sigma */
 SimulatedCloud
 scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed);

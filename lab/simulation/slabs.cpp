@@ -39,7 +39,7 @@ makeSlabs (Seed seed)
       body,
       makeRectangle ({1.0, 1.2, floor + 0.5 * height}, {length, 0, 0}, {0, 0, height}),
       thickness_of_wall);
-  // The board, as the top of a table.
+  // The board, level as the top of a table.
   const double width = random.between (0.8, 1.6);
   const double depth = random.between (0.6, 1.0);
   const double thickness_of_board = random.between (thinnest, thickest);

@@ -21,7 +21,7 @@ makeSlabs (Seed seed);
 double
 drawPointCountOfSlabs (Seed seed);
 
-/** Spreads points evenly over all surfaces.
+/** Draws points that are evenly spread over all surfaces.
  * \param[in] noise factor on \ref slabs_sigma */
 SimulatedCloud
 scanSlabs (const Scene& scene, std::size_t points, double noise, Seed seed);

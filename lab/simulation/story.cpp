@@ -34,11 +34,12 @@ struct Face {
   std::size_t room;
   int axis;          // 0: x, 1: y
   double coordinate; // of the face on the axis
-  double front;      // 1: the room is along the axis from the face; -1: against it
-  double from, to;   // range along the other horizontal axis
+  double front;      // the room is at 1: larger, -1: smaller coordinates than the face
+  double from, to;   // range of the face on the other horizontal axis
   std::vector<Hole> holes = {};
 
-  /** \param[in] along coordinate on the other horizontal axis
+  /** Returns a position at the face, in the frame of the rooms.
+   * \param[in] along coordinate on the other horizontal axis
    * \param[in] into_room distance from the face; negative inside the wall */
   Vector3d
   position (double along, double into_room, double height) const
@@ -48,7 +49,7 @@ struct Face {
     return result;
   }
 
-  /** Whether a range of the face has no hole in it or just beside it. */
+  /** Whether there is no hole in a range of the face or within 0.1 m of it. */
   bool
   isWhole (const Interval& range) const
   {
@@ -59,8 +60,8 @@ struct Face {
   }
 };
 
-/** Divides a box by walls in two parts, until all parts are as small as rooms, and
- * appends them to \p rooms. */
+/** Divides a box by a wall in two parts, and these in the same way, until all parts are
+ * as small as rooms. Appends these parts to \p rooms. */
 void
 divide (const AlignedBox2d& box, Random& random, std::vector<AlignedBox2d>& rooms)
 {
@@ -73,9 +74,8 @@ divide (const AlignedBox2d& box, Random& random, std::vector<AlignedBox2d>& room
     return;
   }
   const int axis = sizes.x() > sizes.y() ? 0 : 1;
-  const std::uint32_t thickness =
-      random.below (std::uint32_t (std::size (thicknesses)));
-  const double half_wall = 0.5 * thicknesses[thickness];
+  const std::uint32_t drawn = random.below (std::uint32_t (std::size (thicknesses)));
+  const double half_wall = 0.5 * thicknesses[drawn];
   const double middle = box.min()[axis] + random.between (0.38, 0.62) * sizes[axis];
   Vector2d end_of_first = box.max();
   Vector2d begin_of_second = box.min();
@@ -110,7 +110,8 @@ areSidesOfAWall (const Face& one, const Face& other)
          thickness < thickest;
 }
 
-/** Adds the four surfaces around an opening, from a face into the wall. */
+/** Adds the four surfaces around an opening, from a face into the wall.
+ * \param[in] depth of these surfaces */
 void
 addReveal (const Face& face, const Hole& hole, double depth, Body& body)
 {
@@ -129,7 +130,34 @@ addReveal (const Face& face, const Hole& hole, double depth, Body& body)
   add (low_right, high_right);
 }
 
-/** Cuts an opening into each wall between two rooms that is long enough. */
+/** A door, or a glass pane. */
+struct Passage {
+  Hole hole;
+  bool is_pane;
+};
+
+/** Draws a door or, if the wall may have glass and is long enough, a pane.
+ * \param[in] wall the range that the faces of both rooms have in common */
+Passage
+drawPassage (const Interval& wall, bool has_glass, Random& random)
+{
+  constexpr double door_width = 0.9;
+  constexpr double door_height = 2.05;
+  constexpr double beside_door = 0.2; // least wall on each side
+  constexpr double beside_pane = 0.3;
+  const double door =
+      random.between (wall.from + beside_door, wall.to - door_width - beside_door);
+  // Drawn also without glass.
+  const double pane_width = random.between (1.5, 2.5);
+  const bool is_pane = has_glass && wall.to - wall.from > pane_width + 1.0;
+  if (!is_pane)
+    return {{door, door + door_width, 0.0, door_height}, is_pane};
+  const double pane =
+      random.between (wall.from + beside_pane, wall.to - pane_width - beside_pane);
+  return {{pane, pane + pane_width, 0.0, ceiling_height - 0.1}, is_pane};
+}
+
+/** Cuts a door or a pane into each wall between two rooms that is long enough. */
 void
 cutDoorsAndPanes (const StoryHardship& hardship,
                   Random& random,
@@ -137,35 +165,21 @@ cutDoorsAndPanes (const StoryHardship& hardship,
                   Story& story,
                   Body& body)
 {
-  constexpr double door_width = 0.9;
-  constexpr double door_height = 2.05;
   constexpr double shortest_wall = 1.4; // with a door
-  constexpr double beside_door = 0.2;   // least wall on each side
-  constexpr double beside_pane = 0.3;
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size(); ++j) {
       Face& one = faces[i];
       Face& other = faces[j];
-      const double from = std::max (one.from, other.from);
-      const double to = std::min (one.to, other.to);
-      if (!areSidesOfAWall (one, other) || to - from < shortest_wall)
+      const Interval wall{std::max (one.from, other.from), std::min (one.to, other.to)};
+      if (!areSidesOfAWall (one, other) || wall.to - wall.from < shortest_wall)
         continue;
       const double thickness = std::abs (one.coordinate - other.coordinate);
-      const double door =
-          random.between (from + beside_door, to - door_width - beside_door);
-      Hole hole{door, door + door_width, 0.0, door_height};
-      const double pane_width = random.between (1.5, 2.5);
-      const bool is_pane = hardship.has_glass && to - from > pane_width + 1.0;
-      if (is_pane) {
-        const double pane =
-            random.between (from + beside_pane, to - pane_width - beside_pane);
-        hole = {pane, pane + pane_width, 0.0, ceiling_height - 0.1};
-      }
+      const Passage passage = drawPassage (wall, hardship.has_glass, random);
       for (Face* const face : {&one, &other})
-        face->holes.push_back (hole);
+        face->holes.push_back (passage.hole);
       story.doors.emplace (one.room, other.room);
-      if (!is_pane)
-        addReveal (one, hole, thickness, body);
+      if (!passage.is_pane)
+        addReveal (one, passage.hole, thickness, body);
     }
 }
 
@@ -210,15 +224,15 @@ openHeightsAt (double along, const std::vector<Hole>& holes)
   return open;
 }
 
-/** Adds a face without its holes: in each strip from one upright edge of a hole to the
- * next, the rectangles between the holes.
- * \param[in] unread one more hole: the part without readings */
+/** Adds a face without its holes. The upright edges of all holes divide it into strips;
+ * each strip has rectangles below, between and above the holes.
+ * \param[in] missing one more hole: the part without readings */
 void
-addFace (const Face& face, const Hole& unread, Body& body)
+addFace (const Face& face, const Hole& missing, Body& body)
 {
   constexpr double narrowest = 1e-6;
   std::vector<Hole> holes = face.holes;
-  holes.push_back (unread);
+  holes.push_back (missing);
   std::vector<double> cuts = {face.from, face.to};
   for (const Hole& hole : holes) {
     cuts.push_back (hole.from);
@@ -261,8 +275,8 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
     if (has_ceiling)
       add (room.min(), room.max(), ceiling_height);
   }
-  // Floors continue through doors, from each side to the middle of the thickest wall.
-  constexpr double into_wall = 0.12;
+  // Floors continue through doors, from each side to the middle of the wall.
+  constexpr double into_wall = 0.12; // half the thickness of the thickest wall
   for (const Face& face : faces)
     for (const Hole& hole : face.holes)
       if (hole.bottom == 0.0) {
@@ -275,7 +289,7 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
 }
 
 /** Adds cupboards in front of a wall, but not of its openings, until they hide a share
- * of its length or no more were placed in 20 attempts. */
+ * of its length. Ends after 20 attempts to place one. */
 void
 furnish (const Face& face, double share, Random& random, Body& body)
 {
@@ -285,10 +299,10 @@ furnish (const Face& face, double share, Random& random, Body& body)
   constexpr double from_wall = 0.01;
   const double first = face.from + from_corner;
   const double last = face.to - from_corner;
-  double length_left = share * (face.to - face.from);
+  double missing_length = share * (face.to - face.from); // still to be hidden
   std::vector<Interval> taken;
-  for (int i = 0; i < attempts && length_left > narrowest; ++i) {
-    const double width = std::min (length_left, random.between (0.6, 1.6));
+  for (int i = 0; i < attempts && missing_length > narrowest; ++i) {
+    const double width = std::min (missing_length, random.between (0.6, 1.6));
     const double begin = random.between (first, std::max (first, last - width));
     const Interval cupboard{begin, begin + width};
     const bool is_taken =
@@ -306,7 +320,7 @@ furnish (const Face& face, double share, Random& random, Body& body)
                  size,
                  HiddenFace::Bottom);
     taken.push_back (cupboard);
-    length_left -= width;
+    missing_length -= width;
   }
 }
 
@@ -331,18 +345,20 @@ scatterClutter (const AlignedBox2d& room, int pieces, Random& random, Body& body
   }
 }
 
-/** Returns the i-th of evenly spread unit directions (golden angle spiral). */
+/** Returns the direction of a ray, a unit vector. The rays of a position are evenly
+ * spread on a spiral: each is turned from the one before by the golden angle.
+ * \param[in] ray from 0 to rays_per_position - 1 */
 Vector3d
-directionOf (std::size_t i)
+directionOf (std::size_t ray)
 {
-  const double z = 1.0 - (2.0 * static_cast<double> (i) + 1.0) / rays_per_position;
-  const double angle = static_cast<double> (i) * pi * (3.0 - std::sqrt (5.0));
+  const double z = 1.0 - (2.0 * static_cast<double> (ray) + 1.0) / rays_per_position;
+  const double angle = static_cast<double> (ray) * pi * (3.0 - std::sqrt (5.0));
   const double radius = std::sqrt (1.0 - z * z);
   return {radius * std::cos (angle), radius * std::sin (angle), z};
 }
 
-/** Scans each room from a position near its middle. The error of the scan position
- * grows from room to room by the drift. */
+/** Scans each room from a position near its middle, and appends the points to the cloud
+ * of the story. The error of the scan position grows from room to room by the drift. */
 void
 scanRooms (const Scene& scene,
            const StoryHardship& hardship,

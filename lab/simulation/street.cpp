@@ -12,9 +12,11 @@ namespace {
 
 // Lengths and heights are in meters. Their ranges are those of common houses and cars.
 
-/** Adds the side walls and often the roof slope towards the street, which hides the
- * other slope. The ground rises behind the facade, so that it hides the foot of the
- * side walls. */
+/** Adds the side walls and, in 60 % of the houses, the slope of the roof on the side of
+ * the street, which hides the other slope. The side walls begin at the height of the
+ * foot of the facade; the ground, which rises behind it, hides their lower ends.
+ * \param[in] width of the facade
+ * \param[in] eaves height of the facade */
 void
 addSidesAndRoof (Body& house, double width, double eaves, Random& random)
 {
@@ -35,8 +37,8 @@ addSidesAndRoof (Body& house, double width, double eaves, Random& random)
 /** A window, a door or a garage door. */
 struct Opening {
   double width, height;
-  double sill;  // height of its lower edge above the floor
-  double depth; // by which it is set back in the wall
+  double sill;  // height of the lower edge above the floor
+  double depth; // from the front of the wall to the window or the door
 };
 
 /** Draws a house whose facade looks to +y, with the middle of its foot at the origin.
@@ -50,11 +52,11 @@ drawTownHouse (double width, Random& random)
   const int bays = int (width / random.between (2.8, 3.4));
   const double story_height = random.between (2.7, 3.2);
   const double bay_width = width / bays;
-  // An initializer list is evaluated from left to right.
-  const Opening window{random.between (0.9, 1.6),
-                       random.between (1.2, 1.6),
-                       random.between (0.7, 1.0),
-                       random.between (0.10, 0.20)};
+  // Braces fix the order of evaluation, and so which random number is which.
+  const Opening window{random.between (0.9, 1.6),    // width
+                       random.between (1.2, 1.6),    // height
+                       random.between (0.7, 1.0),    // sill
+                       random.between (0.10, 0.20)}; // depth
   const bool is_garage = random.chance (0.4);
   const Opening door{is_garage ? 2.4 : random.between (1.0, 1.4),
                      random.between (2.1, 2.4),
@@ -83,8 +85,8 @@ drawTownHouse (double width, Random& random)
   return house;
 }
 
-/** Draws a car along x on round wheels. The triangles beside its slanted windows are
- * open. */
+/** Draws a car along x on round wheels. It has no surface in the triangles beside its
+ * slanted windows. */
 Body
 drawCar (Random& random)
 {
@@ -110,11 +112,11 @@ drawCar (Random& random)
   for (const double side : {-0.5, 0.5})
     car.addSurface (
         WallRange{rear, front, belt, roof}.rectangleAt (side * cabin_width));
-  constexpr double radius = 0.31;
+  constexpr double radius = 0.31;       // of a wheel
   constexpr double half_wheel = 0.1;    // half the width of a tire
-  constexpr double wheel_inside = 0.05; // from the side of the car to a tire
-  // From the side of the car to the middle of the ball of a hub. The radius is larger,
-  // so that a cap of the ball bulges out.
+  constexpr double wheel_inside = 0.05; // from the side of the car inwards to a tire
+  // From the side of the car inwards to the center of the ball that is a hub. It is
+  // less than the radius, so that a cap of the ball bulges out.
   constexpr double hub_inside = 0.25;
   for (const double along : {-0.3, 0.3})
     for (const double side : {-1.0, 1.0}) {
@@ -126,20 +128,23 @@ drawCar (Random& random)
   return car;
 }
 
-/** Adds leaves (small balls), evenly distributed in a ball above a lowest height.
- * \param[in] crown radius of the ball */
+/** Adds leaves, which are small balls, evenly spread over the part of a large ball that
+ * is above a lowest height.
+ * \param[in] middle of the large ball
+ * \param[in] crown radius of the large ball
+ * \param[in] lowest height */
 void
 addLeaves (
     Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
 {
-  constexpr double smallest_leaf = 0.03;
-  constexpr double largest_leaf = 0.08; // radii
+  constexpr double smallest_leaf = 0.03; // radius
+  constexpr double largest_leaf = 0.08;  // radius
   // With this number about a fifth of the rays through the middle pass between the
   // leaves; half of the drawn positions are outside the ball and get no leaf.
   const double crown_in_leaves = crown / largest_leaf;
   const auto leaves = int (4.0 * crown_in_leaves * crown_in_leaves);
   for (int i = 0; i < leaves; ++i) {
-    const Vector3d from_middle = random.inBox ({-1, -1, -1}, {1, 1, 1}); // [crown]
+    const Vector3d from_middle = random.inBox ({-1, -1, -1}, {1, 1, 1}); // in crowns
     const double radius = random.between (smallest_leaf, largest_leaf);
     const Vector3d center = middle + crown * from_middle;
     if (from_middle.norm() <= 1.0 && center.z() > lowest)
@@ -165,9 +170,10 @@ struct Roadside {
   Isometry3d pose;
   double length;   // of the street
   double curb;     // height of the curb
-  double sidewalk; // from the curb to the gardens
-  double slope;    // rise of the ground away from the curb, per length
+  double sidewalk; // width, from the curb to the gardens
+  double slope;    // tangent of the angle at which the ground rises behind the curb
 
+  /** Returns a pose on the ground behind the curb: y <= 0. */
   Isometry3d
   poseOnGround (double x, double y) const
   {
@@ -195,12 +201,14 @@ addBushes (
   }
 }
 
+/** Adds a row of houses along the side, and the bushes in their gardens. */
 void
 addHouses (Scene& scene, const Roadside& side, Random& random)
 {
   constexpr double narrowest = 9.0;
   constexpr double widest = 15.0;
-  // Difference of the setbacks of facades, so that no two are coplanar.
+  // Distance from the gardens' front to a facade is a multiple of this, and up to 0.04
+  // more. Each multiple is used once, so that no two facades are coplanar.
   constexpr double setback_step = 0.4;
   std::vector<int> setback_steps (std::size_t (side.length / narrowest));
   std::iota (setback_steps.begin(), setback_steps.end(), 0);
@@ -256,14 +264,16 @@ addTreesAndPoles (Scene& scene, const Roadside& side, Random& random)
   }
 }
 
+/** Adds one side of the street: curb, ground, houses, parked cars, trees and poles.
+ * \param[in] pose of the street, turned so that this side is at y < 0 */
 void
 addSide (Site& street, const Isometry3d& pose, Random& random)
 {
   const Roadside side{pose * at ({0, -0.5 * street.size.y(), 0}),
-                      street.size.x(),
-                      random.between (0.10, 0.15),
-                      random.between (2.5, 4.0),
-                      random.between (0.02, 0.03)};
+                      street.size.x(),              // length
+                      random.between (0.10, 0.15),  // curb
+                      random.between (2.5, 4.0),    // sidewalk
+                      random.between (0.02, 0.03)}; // slope
   constexpr double depth = 25.0; // of the ground, from the curb to behind the houses
   Body ground;
   const Vector3d curb (0, 0, side.curb);
@@ -323,9 +333,9 @@ Poses
 drawDrive (const Site& street, std::size_t frames, Seed seed)
 {
   constexpr double longest_step = 1.0;
-  constexpr double sway = 0.2;              // amplitude to both sides
-  constexpr double wave_length = 25.0;      // of the sway
-  constexpr double tilt = 0.7 * pi / 180.0; // amplitude [rad]
+  constexpr double sway = 0.2;              // amplitude of the shift to both sides
+  constexpr double wave_length = 25.0;      // of the sway along the street
+  constexpr double tilt = 0.7 * pi / 180.0; // amplitude of pitch and roll [rad]
   Random random = randomFor (Purpose::Drive, seed);
   const double phase = random.between (0.0, 2.0 * pi);
   const double height = random.between (1.7, 1.9);
@@ -334,10 +344,11 @@ drawDrive (const Site& street, std::size_t frames, Seed seed)
   Poses poses;
   for (std::size_t i = 0; i < frames; ++i) {
     const double x = (double (i) / steps - 0.5) * length;
-    const double angle = phase + 2.0 * pi * x / wave_length;
+    const double angle = phase + 2.0 * pi * x / wave_length; // phase of the sway [rad]
     const double yaw = 2.0 * pi / wave_length * sway * std::cos (angle);
     poses.push_back (poseOnLane (street, x) *
                      at ({0, sway * std::sin (angle), height}) * turnZ (yaw) *
+                     // The factors keep pitch and roll out of step with the sway.
                      turnY (tilt * std::sin (1.7 * angle)) *
                      turnX (tilt * std::sin (1.3 * angle)));
   }

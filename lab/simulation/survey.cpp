@@ -12,18 +12,20 @@ namespace {
  * part of its rectangle below the two slopes of the roof. */
 struct SurveyedFace {
   Shape rectangle;
-  /** Height at which the slopes begin, as a share of the rectangle's height. */
-  double eaves = 1.0;
-  double density = 1.0; // of points, relative to walls and roofs
+  /** Height at which the slopes of a gable wall begin, as a share of the rectangle's
+   * height. */
+  double eaves_share = 1.0;
+  double density = 1.0; // of points, relative to that of walls and roofs
 
+  /** Whether a point of the rectangle is on the face. */
   bool
-  has (const Vector3d& point) const
+  contains (const Vector3d& point) const
   {
     const Vector3d local = point - rectangle.center;
     // From 0 in the middle to 1 at the sides, and from 0 at the foot to 1 at the top.
     const double aside = std::abs (local.dot (rectangle.u)) / rectangle.half_u;
     const double height = 0.5 * (1.0 + local.dot (rectangle.v) / rectangle.half_v);
-    return height <= eaves || aside <= (1.0 - height) / (1.0 - eaves);
+    return height <= eaves_share || aside <= (1.0 - height) / (1.0 - eaves_share);
   }
 };
 
@@ -49,13 +51,14 @@ surveyedFacesOf (const Survey& survey)
     const auto corner = [&] (double x, double y, double z) -> Vector3d {
       return house.pose() * Vector3d (0.5 * x * house.length, 0.5 * y * house.width, z);
     };
-    // Adds the face with these corners: both at its foot, and the upper left one.
+    // Adds the face whose rectangle has these corners: lower left, lower right, and
+    // upper left.
     const auto add = [&] (const Vector3d& left,
                           const Vector3d& right,
                           const Vector3d& top,
-                          double eaves = 1.0) {
+                          double eaves_share = 1.0) {
       faces.push_back (
-          {makeRectangle (0.5 * (right + top), right - left, top - left), eaves});
+          {makeRectangle (0.5 * (right + top), right - left, top - left), eaves_share});
     };
     const double eaves = house.eaves;
     const double ridge = house.ridge;
@@ -85,7 +88,8 @@ makeSurvey (Seed seed)
   Random random = randomFor (Purpose::Survey, seed);
   Survey survey;
   survey.width = lots_in_a_row * width_of_lot;
-  const double first = 0.5 * (width_of_lot - survey.width); // x and y of the first lot
+  // x and y of the middle of the first lot [m].
+  const double first = 0.5 * (width_of_lot - survey.width);
   for (int i = 0; i < lots_in_a_row * lots_in_a_row; ++i) {
     House& house = survey.houses.emplace_back();
     const int column = i % lots_in_a_row;
@@ -107,7 +111,8 @@ scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed)
 {
   const std::vector<SurveyedFace> faces = surveyedFacesOf (survey);
   std::vector<Plane> planes;
-  std::vector<double> running_weights; // sums of area times density up to each face
+  // Sums of area times density over the faces up to each one, itself included.
+  std::vector<double> running_weights;
   double weight = 0.0;
   for (const SurveyedFace& face : faces) {
     planes.push_back (face.rectangle.plane());
@@ -120,12 +125,14 @@ scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed)
   while (cloud.size() < points) {
     const double drawn = random.between (0.0, weight);
     const auto first = running_weights.begin();
-    // Without the last sum: what is above the others is the last face, the ground.
+    // Without the last sum: a number above the others means the last face, the ground.
     const auto last = running_weights.end() - 1;
     const auto index = std::size_t (std::upper_bound (first, last, drawn) - first);
     Vector3d point = drawPoint (faces[index].rectangle, random).position;
     const bool is_ground = index == faces.size() - 1;
-    if (is_ground ? isBelowAHouse (survey, point) : !faces[index].has (point))
+    const bool is_seen =
+        is_ground ? !isBelowAHouse (survey, point) : faces[index].contains (point);
+    if (!is_seen)
       continue;
     for (double& coordinate : point)
       coordinate += noise * survey_sigma * random.gaussian();

@@ -6,13 +6,18 @@
 
 namespace pcl_ops::simulation {
 
-/** Four walls and a gable roof; the ridge is along the length. */
+/** Four walls and a gable roof; the ridge is along the length, in the middle of the
+ * width.
+ */
 struct House {
   Vector3d center = Vector3d::Zero(); // of the building on the ground [m]
   double yaw = 0.0;                   // from the x axis to the length [rad]
   double length = 15.0, width = 11.0; // [m]
   double eaves = 5.0, ridge = 8.0;    // heights above center [m]
 
+  /** Returns the transform from the frame of the house, with x along its length and z
+   * up.
+   */
   Isometry3d
   pose () const
   {

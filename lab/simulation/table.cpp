@@ -28,12 +28,14 @@ disturbed (double depth, double error, const Table& table, double noise, Random&
 {
   if (!(noise > 0.0))
     return depth;
-  constexpr double blur = 0.35; // [steps]
+  constexpr double blur = 0.35; // width of its distribution [steps]
+  // Errors grow with the depth: these are relative to it.
   const double sigma = noise * table_sigma / table.distance;
   const double measured =
       depth * (1.0 + noise * error / table.distance + sigma * random.gaussian());
-  const double offset = blur * random.between (-0.5, 0.5); // [steps]
-  return table.quantization / (std::round (table.quantization / measured) + offset);
+  const double blur_of_step = blur * random.between (-0.5, 0.5); // [steps]
+  return table.quantization /
+         (std::round (table.quantization / measured) + blur_of_step);
 }
 
 } // namespace

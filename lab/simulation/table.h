@@ -14,10 +14,10 @@ constexpr double table_sigma = 0.0006;
 struct Table {
   double distance = 0.8;       // along the camera's axis [m]
   double tilt = 0.25 * pi;     // angle from the camera's axis to the normal [rad]
-  double bend = 0.004;         // smooth error at the image's corners, about [m]
-  double quantization = 357.0; // see \ref CameraNoise [m]
+  double bend = 0.004;         // smooth depth error, about that of the corners [m]
+  double quantization = 357.0; // CameraNoise::quantization [m]
 
-  /** The table's plane in the camera's frame. */
+  /** Returns the top of the table in the camera's frame, wider than the view. */
   Shape
   top () const;
 };
@@ -26,7 +26,7 @@ struct Table {
 Table
 drawTableView (Seed seed);
 
-/** The points are in the camera's frame: x right, y down, z forward.
+/** Scans the table. The points are in the camera's frame: x right, y down, z forward.
  * \param[in] noise factor on the noise and on the bend; 0 also leaves out the steps of
  * depth
  * \param[in] organized see \ref toSurfaceCloud */

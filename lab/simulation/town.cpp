@@ -15,29 +15,32 @@ using Eigen::AlignedBox2d;
 using Eigen::AlignedBox2i;
 
 constexpr double density = 30.0; // of points on a surface [1/m^2]
-/** Distances from terrace to terrace across and along the streets [m]. */
-constexpr double street_pitch = 44.0, terrace_pitch = 170.0;
+/** Distance from terrace to terrace across the streets [m]. */
+constexpr double street_pitch = 44.0;
+/** Distance from terrace to terrace along the streets [m]. */
+constexpr double terrace_pitch = 170.0;
 constexpr double width_of_house = 15.0; // [m]
 /** No point of a terrace is farther from the corner of its \ref Cell [m]. Half of the
  * longest terrace is 75 m; the rest is for its depth and its shift of up to 4 m. */
 constexpr double reach_of_terrace = 90.0;
 constexpr double edge_of_patch = 8.0; // [m]
-/** A number that is larger than the number of sides of any terrace. */
+/** Above the number of sides of any terrace: 5 and up to 12 walls beside houses. */
 constexpr std::uint32_t max_sides = 20;
 
-/** Column and row of a cell in one of two grids: each cell of one has a terrace, each
- * cell of the other a patch of the ground. */
+/** Column and row of a cell in one of two grids in the frame of the streets: each cell
+ * of one grid has a terrace, each cell of the other a patch of the ground. */
 using Cell = Eigen::Vector2i;
 
 /** A rectangle, given by a corner and two edges at right angles [m]. */
-struct Side {
-  Vector3d corner, along, up;
+struct Rectangle {
+  Vector3d corner, first_edge, second_edge;
 };
 
-/** Purposes of random numbers, beside the sides 1 to \ref max_sides of a terrace. */
+/** Purposes of the random numbers of a cell. Further ones are 1 to \ref max_sides, the
+ * numbers of the sides of its terrace. */
 constexpr std::uint32_t for_terrace = 0, for_ground = max_sides + 1;
 
-/** \param[in] purpose \ref for_terrace, the number of a side, or \ref for_ground */
+/** Returns the random numbers of a cell for one purpose. */
 Random
 randomAt (Seed seed, const Cell& cell, std::uint32_t purpose)
 {
@@ -47,9 +50,10 @@ randomAt (Seed seed, const Cell& cell, std::uint32_t purpose)
   return Random (std::seed_seq{seed, std::uint32_t (Purpose::Town), x, y, purpose});
 }
 
-/** Returns front and back wall, roof slopes, the floor of the upper story, and the
- * walls beside each house, in the frame of the streets. */
-std::vector<Side>
+/** Returns the sides of a cell's terrace, in the frame of the streets: front and back
+ * wall, both slopes of the roof, the floor of the upper story, and the walls between
+ * and beside the houses. */
+std::vector<Rectangle>
 terraceAt (Seed seed, const Cell& cell)
 {
   Random random = randomAt (seed, cell, for_terrace);
@@ -61,7 +65,7 @@ terraceAt (Seed seed, const Cell& cell)
   const double x = terrace_pitch * cell.x() + random.between (-4, 4);
   const double y = street_pitch * cell.y() + random.between (-4, 4);
   const Isometry3d pose = at ({x, y, 0}) * turnZ (random.angle (-3, 3));
-  // u and v are distances from a corner along and across the terrace.
+  // u and v are distances from a corner of the terrace along and across it [m].
   const auto corner = [&] (double u, double v, double z) -> Vector3d {
     return pose * Vector3d (u - 0.5 * length, v - 0.5 * depth, z);
   };
@@ -69,7 +73,7 @@ terraceAt (Seed seed, const Cell& cell)
   const Vector3d across = pose.linear() * Vector3d (0, depth, 0);
   const Vector3d up (0, 0, eaves);
   const Vector3d top = corner (0, 0.5 * depth, ridge);
-  std::vector<Side> sides = {
+  std::vector<Rectangle> sides = {
       {corner (0, 0, 0), along, up},
       {corner (0, depth, 0), along, up},
       {corner (0, 0, eaves), along, top - corner (0, 0, eaves)},
@@ -101,7 +105,8 @@ cellsAround (const AlignedBox2d& square, const Vector2d& pitch, double reach)
   return {low.floor().cast<int>().matrix(), high.ceil().cast<int>().matrix()};
 }
 
-/** Collects the points of a tile from all patches that reach into it. */
+/** Collects the points of a tile. A side of a terrace is divided into patches, and so
+ * is the ground; each patch that reaches into the tile gives points. */
 struct TileSurvey {
   const Town& town;
   AlignedBox2d tile; // relative to the town's corner [m]
@@ -112,15 +117,17 @@ struct TileSurvey {
    * \param[in,out] seeds gives each patch its seed, also patches outside the tile, so
    * that a patch has the same one for any tile */
   void
-  addSide (const Side& side, Random& seeds, std::uint32_t label)
+  addSide (const Rectangle& side, Random& seeds, std::uint32_t label)
   {
-    const auto columns = int (std::ceil (side.along.norm() / edge_of_patch));
-    const auto rows = int (std::ceil (side.up.norm() / edge_of_patch));
-    const Vector3d along = side.along / columns;
-    const Vector3d up = side.up / rows;
+    const auto columns = int (std::ceil (side.first_edge.norm() / edge_of_patch));
+    const auto rows = int (std::ceil (side.second_edge.norm() / edge_of_patch));
+    const Vector3d across_column = side.first_edge / columns;
+    const Vector3d across_row = side.second_edge / rows;
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column)
-        addPatch ({side.corner + column * along + row * up, along, up},
+        addPatch ({side.corner + column * across_column + row * across_row,
+                   across_column,
+                   across_row},
                   Random (seeds.bits()),
                   label);
   }
@@ -128,25 +135,29 @@ struct TileSurvey {
   /** Returns a position of a patch in the frame of the tiles [m].
    * \param[in] u, v shares of the edges, from 0 to 1 */
   Vector3d
-  positionOn (const Side& patch, double u, double v) const
+  positionOn (const Rectangle& patch, double u, double v) const
   {
-    return streets_to_tiles * (patch.corner + u * patch.along + v * patch.up);
+    return streets_to_tiles *
+           (patch.corner + u * patch.first_edge + v * patch.second_edge);
   }
 
+  /** Adds the points of a patch that are in the tile.
+   * \param[in] random those of the patch alone */
   void
-  addPatch (const Side& patch, Random random, std::uint32_t label)
+  addPatch (const Rectangle& patch, Random random, std::uint32_t label)
   {
     AlignedBox2d around;
     for (const int u : {0, 1})
       for (const int v : {0, 1})
         around.extend (Vector2d (positionOn (patch, u, v).head<2>()));
-    constexpr double farthest = 10.0; // no noise is larger [sigma]
-    if (around.squaredExteriorDistance (tile) > farthest * farthest * sigma * sigma)
+    constexpr double largest_noise = 10.0; // no noise is larger, in multiples of sigma
+    if (around.squaredExteriorDistance (tile) >
+        largest_noise * largest_noise * sigma * sigma)
       return;
     // Random rounding: the mean number of points is density times area.
-    const auto wanted =
-        std::size_t (density * patch.along.norm() * patch.up.norm() + random.unit());
-    for (std::size_t i = 0; i < wanted; ++i) {
+    const auto point_count = std::size_t (
+        density * patch.first_edge.norm() * patch.second_edge.norm() + random.unit());
+    for (std::size_t i = 0; i < point_count; ++i) {
       const double u = random.unit();
       const double v = random.unit();
       Vector3d point = positionOn (patch, u, v);
@@ -214,7 +225,7 @@ surveyTile (const Town& town, std::uint32_t column, std::uint32_t row, double no
     const int columns = cells_of_town.sizes().x() + 1; // first and last one included
     const auto terrace = std::uint32_t (from_first.y() * columns + from_first.x());
     std::uint32_t side_number = 0;
-    for (const Side& side : terraceAt (town.seed, cell)) {
+    for (const Rectangle& side : terraceAt (town.seed, cell)) {
       Random seeds = randomAt (town.seed, cell, ++side_number);
       survey.addSide (side, seeds, label_of_ground + terrace * max_sides + side_number);
     }

@@ -22,14 +22,14 @@ struct TownPoint {
   std::uint32_t label = 0; // number of the surface; the ground has 1
 };
 
-/** Makes a town whose area follows from the number of points.
+/** Makes a town. Its area follows from the number of points, as their density is fixed.
  * \param[in] points approximate number of points of the town
  * \param[in] tiles number of tiles, rounded up to a square number */
 Town
 makeTown (Seed seed, double points, double tiles);
 
 /** Returns the points of a tile.
- * \param[in] column, row of the tile, from the south-western corner on
+ * \param[in] column, row of the tile, from 0 at the south-western corner on
  * \param[in] noise factor on survey_sigma (survey.h) */
 std::vector<TownPoint>
 surveyTile (const Town& town, std::uint32_t column, std::uint32_t row, double noise);

@@ -33,10 +33,11 @@ struct Workers {
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_guard{
       tasks.get_executor()};
   std::mutex mutex;
-  std::size_t started = 0; // number of threads; guarded by the mutex
+  std::size_t started = 0; // number of worker threads; guarded by the mutex
 
-  // Runs tasks forever. Polls for a while before it sleeps: the next task of a detector
-  // mostly comes sooner than a sleeping thread wakes up.
+  // Runs tasks forever, as one of the worker threads. Polls for a while before it
+  // sleeps: the next task of a detector mostly comes sooner than a sleeping thread
+  // wakes up.
   void
   serve ()
   {
@@ -54,21 +55,28 @@ struct Workers {
 
 using PieceBody = std::function<void (std::size_t, std::size_t)>;
 
+std::size_t
+numberOfPieces (std::size_t size, std::size_t piece_size)
+{
+  return (size + piece_size - 1) / piece_size;
+}
+
 /** \brief The pieces of one call of parallelFor, each done by one of its threads. */
 class Pieces {
 public:
   /** \param[in] body must live until all pieces are done */
-  Pieces (std::size_t size, std::size_t grain, const PieceBody& body)
+  Pieces (std::size_t size, std::size_t piece_size, const PieceBody& body)
   : size_ (size)
-  , grain_ (grain)
-  , count_ ((size + grain - 1) / grain)
+  , piece_size_ (piece_size)
+  , count_ (numberOfPieces (size, piece_size))
   , body_ (body)
   , is_taken_ (count_)
   {}
 
-  /** \brief Does pieces that no other thread has taken, from piece \p first on. Threads
-   * begin at different pieces, the same in each call of this size: so the data of the
-   * call before may still be in a thread's cache. */
+  /** \brief Does pieces that no other thread has taken, from piece \p first on, and
+   * after the last piece from 0 on. Threads begin at different pieces, the same in each
+   * call of this size: so the data of the call before may still be in a thread's cache.
+   */
   void
   doPieces (std::size_t first = 0)
   {
@@ -79,12 +87,12 @@ public:
     }
   }
 
-  /** \brief Calls \ref doPieces as one of \p helpers threads, with a first piece of
-   * its own. */
+  /** \brief Calls \ref doPieces with a first piece of its own. Each of \p helpers
+   * threads calls this function once, beside the thread that called parallelFor. */
   void
   help (std::size_t helpers)
   {
-    doPieces (count_ * ++helping_ / (helpers + 1));
+    doPieces (count_ * ++started_helpers_ / (helpers + 1));
   }
 
   /** \brief Waits until all pieces are done. Rethrows an exception of a piece: the last
@@ -103,7 +111,7 @@ private:
   doPiece (std::size_t piece)
   {
     try {
-      body_ (piece * grain_, std::min (size_, (piece + 1) * grain_));
+      body_ (piece * piece_size_, std::min (size_, (piece + 1) * piece_size_));
     }
     catch (...) {
       const std::lock_guard<std::mutex> lock (mutex_);
@@ -115,15 +123,15 @@ private:
     }
   }
 
-  std::size_t size_, grain_;
-  std::size_t count_; // of pieces
+  std::size_t size_, piece_size_; // in items of the range
+  std::size_t count_;             // number of pieces
   const PieceBody& body_;
-  std::vector<std::atomic<bool>> is_taken_;
-  std::atomic<std::size_t> helping_{0}; // number of helpers so far
-  std::atomic<std::size_t> done_{0};    // number of pieces done
-  std::mutex mutex_;
+  std::vector<std::atomic<bool>> is_taken_; // for each piece
+  std::atomic<std::size_t> started_helpers_{0};
+  std::atomic<std::size_t> done_{0}; // number of pieces done
+  std::mutex mutex_;                 // guards thrown_, and the wait for all_done_
   std::condition_variable all_done_;
-  std::exception_ptr thrown_;
+  std::exception_ptr thrown_; // by a piece; the last one
 };
 
 } // namespace
@@ -142,8 +150,8 @@ availableProcessors ()
 namespace {
 
 /** \brief Returns the workers of this process. They are never destroyed: the threads
- * end with the process. A forked process gets new ones: it has none of the threads of
- * its parent, and the copied mutex may be locked. */
+ * end with the process. A forked process gets new workers: it has none of the threads
+ * of its parent, and its copy of the mutex may be locked. */
 Workers&
 workersOfThisProcess ()
 {
@@ -179,18 +187,19 @@ callOnWorkers (std::size_t calls, const std::function<void()>& task)
 void
 parallelFor (unsigned threads,
              std::size_t size,
-             std::size_t grain,
+             std::size_t piece_size,
              const PieceBody& body)
 {
   if (size == 0)
     return;
-  // Shared ownership: a helper may come after all pieces are done and this call has
-  // returned. So the call never waits for a thread without a processor.
-  const auto pieces = std::make_shared<Pieces> (size, grain, body);
+  // Shared ownership: a helper may start after all pieces are done and this call has
+  // returned. So the call never waits for a thread that gets no processor.
+  const auto pieces = std::make_shared<Pieces> (size, piece_size, body);
   constexpr std::size_t max_threads = 256; // more only cost time
-  const std::size_t wanted = threads ? threads : availableProcessors();
-  const std::size_t piece_count = (size + grain - 1) / grain;
-  const std::size_t helpers = std::min ({wanted, piece_count, max_threads}) - 1;
+  const std::size_t wanted_threads = threads ? threads : availableProcessors();
+  // The calling thread does pieces, too.
+  const std::size_t helpers =
+      std::min ({wanted_threads, numberOfPieces (size, piece_size), max_threads}) - 1;
   if (helpers > 0)
     callOnWorkers (helpers, [=] { pieces->help (helpers); });
   pieces->doPieces();

@@ -29,21 +29,21 @@ sortByDigit (unsigned threads,
              const KeyOf& keyOf,
              Item* sorted)
 {
-  constexpr std::size_t digits = 1 << bits_of_digit;
-  constexpr std::size_t items_per_piece = 1 << 15; // many more than there are digits
+  constexpr std::size_t digits = 1 << bits_of_digit; // number of values of a digit
+  constexpr std::size_t items_per_piece = 1 << 15;   // many more than there are digits
   const auto digitOf = [&] (const Item& item) {
     return static_cast<std::size_t> (keyOf (item) >> lowest_bit & (digits - 1));
   };
   // The histogram of the digit for each piece of the items.
   using PerDigit = std::array<std::uint32_t, digits>;
-  std::vector<PerDigit> per_piece =
-      parallelChunks (threads, size, items_per_piece, [&] (auto begin, auto end) {
+  std::vector<PerDigit> per_piece = parallelPieces (
+      threads, size, items_per_piece, [&] (std::size_t begin, std::size_t end) {
         PerDigit counts{};
         for (std::size_t i = begin; i < end; ++i)
           ++counts[digitOf (items[i])];
         return counts;
       });
-  // Replace each count by the position in sorted where its items begin.
+  // Replace each count by the index in sorted where the counted items begin.
   std::uint32_t next = 0;
   for (std::size_t digit = 0; digit < digits; ++digit)
     for (PerDigit& of_piece : per_piece) {
@@ -51,11 +51,12 @@ sortByDigit (unsigned threads,
       of_piece[digit] = next;
       next += count;
     }
-  parallelFor (threads, size, items_per_piece, [&] (auto begin, auto end) {
-    PerDigit& positions = per_piece[begin / items_per_piece];
-    for (std::size_t i = begin; i < end; ++i)
-      sorted[positions[digitOf (items[i])]++] = items[i];
-  });
+  parallelFor (
+      threads, size, items_per_piece, [&] (std::size_t begin, std::size_t end) {
+        PerDigit& next_of_digit = per_piece[begin / items_per_piece];
+        for (std::size_t i = begin; i < end; ++i)
+          sorted[next_of_digit[digitOf (items[i])]++] = items[i];
+      });
 }
 
 /** \brief Sorts items by ascending key: a stable radix sort, from the lowest digit to

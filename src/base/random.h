@@ -12,8 +12,8 @@ namespace pcl_ops::internal {
  * these distributions. */
 using RandomGenerator = std::mt19937;
 
-/** \brief Returns an unbiased draw from 0 .. bound - 1 (Lemire 2019, multiply and
- * reject); 0 for bound 0. */
+/** \brief Returns an unbiased draw from 0 .. bound - 1; 0 for bound 0 (D. Lemire, "Fast
+ * Random Integer Generation in an Interval", 2019: multiply and reject). */
 inline std::uint32_t
 drawBelow (RandomGenerator& generator, std::uint32_t bound)
 {

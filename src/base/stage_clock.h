@@ -6,16 +6,17 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Stopwatch for the stages of a detection; runs from its construction. */
+/** \brief Stopwatch for the stages of a detection; it starts when it is constructed. */
 class StageClock {
 public:
-  /** \brief Adds to \p duration the wall time since the last lap or the start [ms]. */
+  /** \brief Adds to \p duration [ms] the wall time since the last call of this
+   * function, or since the start if this is the first call. */
   void
   lap (double& duration)
   {
-    const double now = total();
-    duration += now - last_;
-    last_ = now;
+    const double total_now = total();
+    duration += total_now - total_at_last_lap_;
+    total_at_last_lap_ = total_now;
   }
 
   /** \brief Wall time since the start [ms]. */
@@ -29,7 +30,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   Clock::time_point start_ = Clock::now();
-  double last_ = 0.0;
+  double total_at_last_lap_ = 0.0; // [ms]
 };
 
 } // namespace pcl_ops::internal

@@ -4,7 +4,8 @@
 
 /** \brief Attribute that compiles a function twice: for the default target and for
  * AVX2. The loader picks AVX2 if the processor has it. Neither version fuses
- * multiplications with additions or reorders sums: both give the same digits. Put the
+ * multiplications with additions or reorders sums: both give the same results to the
+ * last bit. Put the
  * function into an unnamed namespace, else GCC exports it. The attribute is empty
  * except for GCC on x86-64 GNU/Linux without the address or thread sanitizer: these do
  * not cope with functions that the loader picks. Define the macro as empty to build

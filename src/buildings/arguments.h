@@ -11,7 +11,7 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Throws std::invalid_argument with this message unless it is empty. */
+/** \brief Throws std::invalid_argument with the text \p problem unless it is empty. */
 inline void
 throwIfWrong (const std::string& problem)
 {

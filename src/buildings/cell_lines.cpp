@@ -19,12 +19,12 @@ bool
 hasWallAt (const CellLine& other, const Vector2d& position)
 {
   constexpr double on_line = 0.01; // [m]
-  const double along = other.line.positionOf (position);
+  const double on_other = other.line.positionOf (position);
   return std::abs (other.line.distance (position)) < on_line &&
          std::any_of (
              other.walls.begin(), other.walls.end(), [&] (const Interval& wall) {
-               return along > wall.from - constants.margin_of_plan &&
-                      along < wall.to + constants.margin_of_plan;
+               return on_other > wall.from - constants.margin_of_plan &&
+                      on_other < wall.to + constants.margin_of_plan;
              });
 }
 
@@ -43,10 +43,28 @@ farthestBeyond (const std::vector<CellLine>& lines,
   return farthest;
 }
 
-/** \brief Returns lines perpendicular to walls, at outermost ends that meet no other
- * wall. A room whose outer wall was not seen ends there and not at the rim of the plan.
- * Lines at all free ends (Mura et al. 2014) would cut off parts of real rooms: only
- * 30 m^2 remained of a room of 49 m^2. */
+/** \brief Returns whether an end of a wall is free: no wall reaches farther outwards,
+ * and no wall on another line meets the end.
+ * \param[in] line_of_wall index of the wall's line in \p lines
+ * \param[in] outwards unit vector along the wall, from the wall to its end */
+bool
+isFreeEnd (const std::vector<CellLine>& lines,
+           std::size_t line_of_wall,
+           const Vector2d& end,
+           const Vector2d& outwards)
+{
+  if (!(farthestBeyond (lines, end, outwards) < constants.max_off_line))
+    return false;
+  for (std::size_t j = 0; j < lines.size(); ++j)
+    if (j != line_of_wall && hasWallAt (lines[j], end))
+      return false;
+  return true;
+}
+
+/** \brief Returns lines perpendicular to walls, at their free ends. A room whose outer
+ * wall was not seen ends there and not at the rim of the plan. Lines also at ends that
+ * are not outermost (Mura et al. 2014) would cut off parts of real rooms: only 30 m^2
+ * remained of a room of 49 m^2. */
 std::vector<CellLine>
 linesAcrossFreeEnds (const std::vector<CellLine>& lines)
 {
@@ -55,18 +73,16 @@ linesAcrossFreeEnds (const std::vector<CellLine>& lines)
     for (const Interval& wall : lines[i].walls)
       for (const double position : {wall.from, wall.to}) {
         const Vector2d end = lines[i].line.at (position);
-        const double outwards = position == wall.from ? -1.0 : 1.0;
-        bool is_free = farthestBeyond (lines, end, outwards * lines[i].line.along) <
-                       constants.max_off_line;
-        for (std::size_t j = 0; j < lines.size(); ++j)
-          is_free = is_free && (i == j || !hasWallAt (lines[j], end));
-        // Both sides of a wall end at one position and share one line.
+        const double sign = position == wall.from ? -1.0 : 1.0;
+        const Vector2d outwards = sign * lines[i].line.along;
+        // Both sides of a wall end at one position and share one line across.
         const auto is_line_across = [&] (const CellLine& other) {
           return std::abs (other.line.distance (end)) <= constants.max_off_line &&
                  std::abs (other.line.along.dot (lines[i].line.along)) <=
                      constants.min_sine_of_meeting;
         };
-        if (is_free && std::none_of (across.begin(), across.end(), is_line_across))
+        if (isFreeEnd (lines, i, end, outwards) &&
+            std::none_of (across.begin(), across.end(), is_line_across))
           across.push_back ({{end, lines[i].line.normal()}});
       }
   return across;

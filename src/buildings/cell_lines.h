@@ -8,16 +8,17 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A line that bounds cells (\ref PlanCell), and the intervals of walls on it.
- */
+/** \brief A line that bounds cells (\ref PlanCell). */
 struct CellLine {
   PlanLine line;
+  /** \brief Intervals of the line on which walls are; empty for a line across a free
+   * end. */
   Intervals walls = {};
 };
 
 /** \brief Returns the lines that divide a plan: lines of walls, then lines across free
- * ends, which are the outermost ends of walls that meet no other wall. The latter are
- * left out if there would be more than max_walls lines. */
+ * ends, which are the outermost ends of walls that meet no other wall. Lines across
+ * free ends are left out if there would be more than max_walls (constants.h) lines. */
 std::vector<CellLine>
 cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans);
 

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /** \brief Returns the horizontal distance of a position to a convex outline [m]; 0
- * inside. */
+ * inside. The outline may run clockwise or counter-clockwise. */
 double
 distanceToOutline (const std::vector<Vector3d>& hull, const Vector2d& position)
 {
@@ -27,9 +27,9 @@ distanceToOutline (const std::vector<Vector3d>& hull, const Vector2d& position)
     const Vector2d from = hull[i].head<2>();
     const Vector2d along = hull[(i + 1) % hull.size()].head<2>() - from;
     const Vector2d off = position - from;
-    const double side = along.x() * off.y() - along.y() * off.x();
-    is_left_of_all = is_left_of_all && side >= 0.0;
-    is_right_of_all = is_right_of_all && side <= 0.0;
+    const double cross_product = along.x() * off.y() - along.y() * off.x();
+    is_left_of_all = is_left_of_all && cross_product >= 0.0;
+    is_right_of_all = is_right_of_all && cross_product <= 0.0;
     const double squared_length = along.squaredNorm();
     // The nearest point of the side, as a share of its length.
     const double share = squared_length > 0.0
@@ -76,19 +76,19 @@ samplesAlong (const std::vector<Vector3d>& hull)
     length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
   std::vector<Vector3d> samples;
   const double step = length / static_cast<double> (constants.samples_of_outline);
-  double next = 0.5 * step; // distance of the next sample from the corner
+  double next = 0.5 * step; // distance of the next sample from corner i [m]
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vector3d side = hull[(i + 1) % hull.size()] - hull[i];
-    const double end = side.norm();
-    for (; next < end && samples.size() < constants.samples_of_outline; next += step)
-      samples.push_back (hull[i] + next / end * side);
-    next -= end;
+    const double side_length = side.norm();
+    for (; next < side_length && samples.size() < constants.samples_of_outline;
+         next += step)
+      samples.push_back (hull[i] + next / side_length * side);
+    next -= side_length;
   }
   return samples;
 }
 
-/** \brief Returns the height of a plane where it is above or below a position [m]. The
- * height is that of the frame, not the distance from the position. */
+/** \brief Returns z of the plane at x and y of a position [m]. */
 double
 heightAt (const PlaneFromAbove& plane, const Vector3d& position)
 {
@@ -97,8 +97,8 @@ heightAt (const PlaneFromAbove& plane, const Vector3d& position)
 }
 
 /** \brief Returns whether a plane is higher than a position beside it by headroom or
- * more, both there and at its center. The other side of a gable is not: it falls from
- * the ridge. */
+ * more, both above the position and at the center of the plane. The other half of a
+ * gable roof is not higher than its ridge. */
 bool
 risesAbove (const Vector3d& position, const PlaneFromAbove& plane)
 {
@@ -113,29 +113,29 @@ isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& 
 {
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
   // Numbers of samples: like a roof, and like the ground for either reason.
-  int at_steps = 0;
-  int flush = 0;
-  int below = 0;
+  int over_drops = 0;
+  int continued = 0;
+  int below_slopes = 0;
   for (const Vector3d& position : samplesAlong (plane.hull)) {
-    bool is_at_step = false;
-    bool is_flush = false;
-    bool is_below = false;
+    bool is_over_drop = false;
+    bool is_continued = false;
+    bool is_below_slope = false;
     for (const PlaneFromAbove& other : neighbors) {
       if (distanceToOutline (other.hull, position.head<2>()) >
           constants.max_beside_outline)
         continue;
       const double drop = position.z() - heightAt (other, position);
-      is_at_step = is_at_step || drop >= constants.headroom;
-      is_flush = is_flush ||
-                 (std::abs (drop) < constants.same_height &&
-                  plane.normal.dot (other.normal) > constants.min_cosine_of_same_slope);
-      is_below = is_below || risesAbove (position, other);
+      is_over_drop = is_over_drop || drop >= constants.headroom;
+      is_continued = is_continued || (std::abs (drop) < constants.same_height &&
+                                      plane.normal.dot (other.normal) >
+                                          constants.min_cosine_of_same_slope);
+      is_below_slope = is_below_slope || risesAbove (position, other);
     }
-    at_steps += is_at_step ? 1 : 0;
-    flush += is_flush && !is_at_step ? 1 : 0;
-    below += is_below && !is_at_step ? 1 : 0;
+    over_drops += is_over_drop ? 1 : 0;
+    continued += is_continued && !is_over_drop ? 1 : 0;
+    below_slopes += is_below_slope && !is_over_drop ? 1 : 0;
   }
-  return 2 * (flush + below) > at_steps;
+  return 2 * (continued + below_slopes) > over_drops;
 }
 
 bool
@@ -144,18 +144,19 @@ isLowest (const PlaneFromAbove& plane,
           double min_drop)
 {
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
-  const std::vector<Vector3d> outline = samplesAlong (plane.hull);
-  const auto is_above = [&] (const Vector3d& corner) {
+  const std::vector<Vector3d> samples = samplesAlong (plane.hull);
+  const auto is_over_other = [&] (const Vector3d& sample) {
     // Halfway to the center: near its outline a plane may overhang others.
-    const Vector3d position = 0.5 * (plane.center + corner);
+    const Vector3d position = 0.5 * (plane.center + sample);
     return std::any_of (
         neighbors.begin(), neighbors.end(), [&] (const PlaneFromAbove& other) {
           return distanceToOutline (other.hull, position.head<2>()) == 0.0 &&
                  position.z() - heightAt (other, position) >= min_drop;
         });
   };
-  const auto above = std::count_if (outline.begin(), outline.end(), is_above);
-  return 2 * static_cast<std::size_t> (above) < outline.size();
+  const auto over_others =
+      std::count_if (samples.begin(), samples.end(), is_over_other);
+  return 2 * static_cast<std::size_t> (over_others) < samples.size();
 }
 
 } // namespace pcl_ops::internal::buildings

@@ -8,14 +8,14 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A plane in meters, z up. The hull of a steep plane is empty. */
+/** \brief A plane seen from above, in meters, in a frame whose z is up. */
 struct PlaneFromAbove {
   /** \brief Unit normal that points up. */
   Eigen::Vector3d normal;
   Eigen::Vector3d center;
-  /** \brief Corners of its convex outline. */
+  /** \brief Corners of its convex outline, in order; empty for a steep plane. */
   std::vector<Eigen::Vector3d> hull;
-  double area;
+  double area; // inside the outline [m^2], also of a steep plane
 };
 
 /** \brief Returns whether a plane is a part of the ground and not a roof. Samples along
@@ -24,12 +24,13 @@ struct PlaneFromAbove {
  * height and slope, or lies far above the sample, as the slope over a terrace does. The
  * plane is ground if more than half as many samples are like the ground as like a roof;
  * a sample that is like the ground for both reasons counts twice.
- * \param[in] plane one of \p all, by reference */
+ * \param[in] plane an element of \p all, not a copy: it is recognized by its address */
 bool
 isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
 
 /** \brief Returns whether less than half of a plane has another plane below it, as the
- * ground has nothing below it.
+ * ground has nothing below it. False for a plane without an outline.
+ * \param[in] plane an element of \p all, as above
  * \param[in] min_drop planes less far below do not count, such as the next field of a
  * slope [m] */
 bool

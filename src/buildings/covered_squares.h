@@ -34,7 +34,7 @@ meanDensityOf (const PlanPoints& points, const Eigen::AlignedBox2d& box)
   return points_inside / static_cast<double> (square_meters.size());
 }
 
-/** \brief Numbers of points in the squares of a horizontal grid. */
+/** \brief Numbers of points in the squares of a horizontal grid over a box. */
 class CoveredSquares {
 public:
   /** \param[in] edge of a square [m]; enlarged if there would be too many squares */
@@ -46,15 +46,15 @@ public:
     low_ = box.min();
     columns_ = static_cast<std::size_t> (sizes.x() / edge_) + 1;
     rows_ = static_cast<std::size_t> (sizes.y() / edge_) + 1;
-    points_.assign (columns_ * rows_, 0);
+    counts_.assign (columns_ * rows_, 0);
     for (const Eigen::Vector3d& point : points)
       if (box.contains (point.head<2>().eval()))
-        ++points_[squareAt (point.head<2>())];
+        ++counts_[squareAt (point.head<2>())];
   }
 
   /** \brief Returns the share of a convex cell whose squares have points, 0 to 1. */
   double
-  shareOf (const PlanCell& cell) const
+  coveredShareOf (const PlanCell& cell) const
   {
     return meanOver (cell,
                      [] (std::uint32_t points) { return points > 0 ? 1.0 : 0.0; });
@@ -70,8 +70,8 @@ public:
   }
 
 private:
-  /** \brief Returns the mean over samples in a cell of the value of their squares.
-   * \param[in] valueOf makes the value of a square of its number of points */
+  /** \brief Returns the mean, over samples in a cell, of the values of their squares.
+   * \param[in] valueOf returns the value of a square from its number of points */
   template <typename Value>
   double
   meanOver (const PlanCell& cell, const Value& valueOf) const
@@ -84,14 +84,14 @@ private:
     }
     // Samples on a grid; in a sliver that contains no sample, only its middle.
     constexpr int max_samples = constants.max_samples_of_cell;
-    const Eigen::Vector2d wanted = (box.sizes() / edge_).array().ceil();
-    const int columns = std::clamp (static_cast<int> (wanted.x()), 1, max_samples);
-    const int rows = std::clamp (static_cast<int> (wanted.y()), 1, max_samples);
+    const Eigen::Vector2d squares = (box.sizes() / edge_).array().ceil();
+    const int columns = std::clamp (static_cast<int> (squares.x()), 1, max_samples);
+    const int rows = std::clamp (static_cast<int> (squares.y()), 1, max_samples);
     int samples = 0;
     double sum = 0.0;
     const auto add_sample = [&] (const Eigen::Vector2d& position) {
       ++samples;
-      sum += valueOf (points_[squareAt (position)]);
+      sum += valueOf (counts_[squareAt (position)]);
     };
     for (int i = 0; i < columns; ++i)
       for (int j = 0; j < rows; ++j) {
@@ -106,6 +106,7 @@ private:
     return sum / samples;
   }
 
+  /** \brief Returns whether a position is in a cell or on its border. */
   static bool
   isWithin (const PlanCell& cell, const Eigen::Vector2d& position)
   {
@@ -118,7 +119,8 @@ private:
     return true;
   }
 
-  /** \brief Index of the square at a position; of the nearest one beyond the box. */
+  /** \brief Index into \ref counts_ of the square at a position; for a position outside
+   * of the box, of the nearest square. */
   std::size_t
   squareAt (const Eigen::Vector2d& position) const
   {
@@ -127,10 +129,10 @@ private:
            std::min (rows_ - 1, static_cast<std::size_t> (square.y()));
   }
 
-  double edge_; // of a square [m]
-  Eigen::Vector2d low_;
+  double edge_;         // of a square [m]
+  Eigen::Vector2d low_; // corner of the box with the smallest x and y [m]
   std::size_t columns_, rows_;
-  std::vector<std::uint32_t> points_; // number in each square, column by column
+  std::vector<std::uint32_t> counts_; // points in each square, column by column
 };
 
 } // namespace pcl_ops::internal::buildings

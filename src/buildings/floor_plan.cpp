@@ -25,14 +25,16 @@ namespace {
 using namespace internal::buildings;
 using Eigen::Vector3d;
 
-/** \brief Finite points of a cloud in the frame of the plan, without the shift that
- * moveBy adds at the end. */
+/** \brief The finite points of a cloud in the frame of the plan [m], but without the
+ * shift of findFloorPlan, which \ref moveBy adds to the finished plan. */
 class PlanCloud {
 public:
+  /** \param[in] to_plan rotates and scales from the unit of the cloud to meters */
   PlanCloud (const CloudView& cloud, const Eigen::Matrix3d& to_plan)
   : cloud_ (cloud), to_plan_ (to_plan)
   {}
 
+  /** \brief Returns the finite inliers of a plane. */
   PlanPoints
   pointsOf (const PlaneSegment& plane) const
   {
@@ -57,6 +59,7 @@ public:
   }
 
 private:
+  /** \brief Returns a point of the cloud; nothing if it is not finite. */
   std::optional<Vector3d>
   finitePoint (std::size_t i) const
   {
@@ -71,26 +74,26 @@ private:
   Eigen::Matrix3d to_plan_;
 };
 
-/** \brief A plane with its kind. In the frame of the plan: its normal, its finite
- * inliers and their mean height [m]. */
+/** \brief A plane with its kind, in the frame of the plan. */
 struct PlanPlane {
   PlaneKind kind;
   Vector3d normal;
-  PlanPoints points;
-  double height;
+  PlanPoints points; // finite inliers
+  double height;     // mean height of these points [m]; 0 without points
 };
 
-/** \param[in] to_plan rotation from the frame of the planes to that of the plan */
+/** \brief Returns the planes in the frame of the plan.
+ * \param[in] rotation from the frame of the planes to that of the plan */
 std::vector<PlanPlane>
-planPlanes (const PlanCloud& cloud,
-            const std::vector<PlaneSegment>& planes,
-            const std::vector<PlaneKind>& kinds,
-            const Eigen::Matrix3d& to_plan)
+planesInPlan (const PlanCloud& cloud,
+              const std::vector<PlaneSegment>& planes,
+              const std::vector<PlaneKind>& kinds,
+              const Eigen::Matrix3d& rotation)
 {
   std::vector<PlanPlane> all;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     PlanPlane plane{
-        kinds[i], to_plan * planes[i].normal, cloud.pointsOf (planes[i]), 0.0};
+        kinds[i], rotation * planes[i].normal, cloud.pointsOf (planes[i]), 0.0};
     for (const Vector3d& point : plane.points)
       plane.height += point.z() / static_cast<double> (plane.points.size());
     all.push_back (std::move (plane));
@@ -98,40 +101,41 @@ planPlanes (const PlanCloud& cloud,
   return all;
 }
 
-/** \brief Returns the height of the lowest floor with min_share_of_lowest_floor of the
- * points of the largest floor, or more [m]. Without a floor it is the height of the
- * lowest point of a wall, or 0 without walls. */
+/** \brief Returns the height of the lowest point of all walls [m]; 0 without walls. */
+double
+lowestWallPoint (const std::vector<PlanPlane>& planes)
+{
+  std::optional<double> lowest;
+  for (const PlanPlane& plane : planes)
+    if (plane.kind == PlaneKind::Wall)
+      for (const Vector3d& point : plane.points)
+        lowest = std::min (lowest.value_or (point.z()), point.z());
+  return lowest.value_or (0.0);
+}
+
+/** \brief Returns the height [m] of the lowest floor that has at least the share
+ * min_share_of_largest_floor of the points of the largest floor. Without a floor it is
+ * the height of the lowest point of a wall, or 0 without walls. */
 double
 lowestFloor (const std::vector<PlanPlane>& planes)
 {
-  std::size_t largest = 0;
-  double lowest_point = 0.0;
-  bool has_wall = false;
-  for (const PlanPlane& plane : planes) {
+  std::size_t points_of_largest = 0;
+  for (const PlanPlane& plane : planes)
     if (plane.kind == PlaneKind::Floor)
-      largest = std::max (largest, plane.points.size());
-    if (plane.kind == PlaneKind::Wall)
-      for (const Vector3d& point : plane.points) {
-        lowest_point = has_wall ? std::min (lowest_point, point.z()) : point.z();
-        has_wall = true;
-      }
-  }
-  const double smallest_count =
-      constants.min_share_of_lowest_floor * static_cast<double> (largest);
-  double lowest = lowest_point;
-  bool has_floor = false;
+      points_of_largest = std::max (points_of_largest, plane.points.size());
+  const double min_points =
+      constants.min_share_of_largest_floor * static_cast<double> (points_of_largest);
+  std::optional<double> lowest;
   for (const PlanPlane& plane : planes)
     if (plane.kind == PlaneKind::Floor &&
-        static_cast<double> (plane.points.size()) >= smallest_count) {
-      lowest = has_floor ? std::min (lowest, plane.height) : plane.height;
-      has_floor = true;
-    }
-  return lowest;
+        static_cast<double> (plane.points.size()) >= min_points)
+      lowest = std::min (lowest.value_or (plane.height), plane.height);
+  return lowest ? *lowest : lowestWallPoint (planes);
 }
 
 /** \brief Returns the height of the highest floor below the cut [m]; \p lowest if that
  * floor is less than a step above it.
- * \param[in] lowest height of the \ref lowestFloor */
+ * \param[in] lowest height of the \ref lowestFloor [m] */
 double
 floorBelow (const std::vector<PlanPlane>& planes, double height_of_cut, double lowest)
 {
@@ -140,7 +144,7 @@ floorBelow (const std::vector<PlanPlane>& planes, double height_of_cut, double l
     if (plane.kind == PlaneKind::Floor && plane.height < height_of_cut)
       floor = std::max (floor, plane.height);
   // Parts of one floor differ in height by less than a step.
-  return floor - lowest < constants.step ? lowest : floor;
+  return floor - lowest < constants.max_step ? lowest : floor;
 }
 
 void
@@ -149,28 +153,28 @@ append (PlanPoints& points, const PlanPoints& others)
   points.insert (points.end(), others.begin(), others.end());
 }
 
-/** \brief Returns whether planes of a kind show where rooms are, as floors do: tables,
- * slabs and ramps. */
+/** \brief Returns whether planes of a kind, other than floors, are inside of rooms and
+ * cover their floors: tables, slabs and ramps. */
 bool
-isLevelSurface (PlaneKind kind)
+coversFloor (PlaneKind kind)
 {
   return kind == PlaneKind::Table || kind == PlaneKind::Slab || kind == PlaneKind::Ramp;
 }
 
-/** \brief Returns the points of all planes for which \p isSuch is true. */
-template <typename IsSuch>
+/** \brief Returns the points of all planes for which \p predicate is true. */
+template <typename Predicate>
 PlanPoints
-pointsOf (const std::vector<PlanPlane>& planes, const IsSuch& isSuch)
+pointsOf (const std::vector<PlanPlane>& planes, const Predicate& predicate)
 {
   PlanPoints points;
   for (const PlanPlane& plane : planes)
-    if (isSuch (plane))
+    if (predicate (plane))
       append (points, plane.points);
   return points;
 }
 
-/** \brief A square of a horizontal grid with edges of length max_eaves, by column and
- * row. */
+/** \brief A square of a horizontal grid with edges of length max_eaves, by column along
+ * x and row along y. */
 using EavesSquare = std::pair<long, long>;
 using EavesSquares = std::set<EavesSquare>;
 
@@ -181,7 +185,8 @@ eavesSquareAt (const Vector3d& point)
           std::lround (point.y() / constants.max_eaves)};
 }
 
-/** \brief Returns the squares with points of roofs, and the squares next to them. */
+/** \brief Returns the squares with points of roofs, and the squares next to them, which
+ * may be under eaves. */
 EavesSquares
 squaresUnder (const PlanPoints& roofs)
 {
@@ -196,10 +201,11 @@ squaresUnder (const PlanPoints& roofs)
   return under;
 }
 
-/** \brief Returns whether a building stands under roofs: most wall points are below the
- * roofs or their eaves. A sloping piece of a room's ceiling covers few wall points. */
+/** \brief Returns whether a building stands under roofs: most wall points are in
+ * squares under the roofs or their eaves. A sloping part of a room's ceiling, which is
+ * a roof by its kind, covers few wall points. */
 bool
-coverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
+roofsCoverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
 {
   const EavesSquares under_roofs = squaresUnder (roofs);
   double wall_points = 0.0;
@@ -214,19 +220,20 @@ coverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
   return covered_points > constants.min_walls_under_roofs * wall_points;
 }
 
-/** \brief Returns the points that cover the rooms at a cut: of roofs if there is no
- * ceiling and a building stands under the roofs, because floors then are ground around
- * it; otherwise of floors, ceilings, tables, slabs and ramps. */
+/** \brief Returns the points that cover the rooms at a cut. If there is no ceiling and
+ * a building stands under roofs, they are those of the roofs, because floors are then
+ * the ground around it; otherwise those of floors, ceilings, tables, slabs and ramps.
+ * \param[in] floor height of the floor below the cut [m] */
 Cover
 coverAt (const std::vector<PlanPlane>& planes, double floor, double height_of_cut)
 {
-  const auto is_below_cut = [&] (const PlanPlane& plane) {
+  const auto is_at_or_below_cut = [&] (const PlanPlane& plane) {
     return plane.height <= height_of_cut &&
            plane.height > floor - constants.max_below_floor;
   };
   Cover cover;
   cover.floor = pointsOf (planes, [&] (const PlanPlane& plane) {
-    return plane.kind == PlaneKind::Floor && is_below_cut (plane);
+    return plane.kind == PlaneKind::Floor && is_at_or_below_cut (plane);
   });
   cover.ceiling = pointsOf (planes, [&] (const PlanPlane& plane) {
     return plane.kind == PlaneKind::Ceiling && plane.height > height_of_cut &&
@@ -235,16 +242,16 @@ coverAt (const std::vector<PlanPlane>& planes, double floor, double height_of_cu
   PlanPoints roofs = pointsOf (planes, [&] (const PlanPlane& plane) {
     return plane.kind == PlaneKind::Roof && plane.height > height_of_cut;
   });
-  if (cover.ceiling.empty() && coverWalls (roofs, planes)) {
+  if (cover.ceiling.empty() && roofsCoverWalls (roofs, planes)) {
     cover.points = std::move (roofs);
     return cover;
   }
-  const PlanPoints level_surfaces = pointsOf (planes, [&] (const PlanPlane& plane) {
-    return isLevelSurface (plane.kind) && is_below_cut (plane);
+  const PlanPoints above_floor = pointsOf (planes, [&] (const PlanPlane& plane) {
+    return coversFloor (plane.kind) && is_at_or_below_cut (plane);
   });
   append (cover.points, cover.floor);
   append (cover.points, cover.ceiling);
-  append (cover.points, level_surfaces);
+  append (cover.points, above_floor);
   return cover;
 }
 
@@ -271,14 +278,14 @@ turnToRooms (const RoomSides& rooms, std::vector<PlanPlane>& planes)
       plane.normal = -plane.normal;
 }
 
-/** \brief Sets WallFace::ends_rooms: true for a wall that is seen over furniture at the
- * cut and at which floors and ceilings end.
+/** \brief Sets WallFace::ends_rooms: true for a wall that is seen above the furniture
+ * before it and at which floors and ceilings end.
  * \param[in,out] faces not yet joined: each has one plane */
 void
-findWhereRoomsEnd (const RoomSides& rooms,
-                   const std::vector<PlanPlane>& planes,
-                   double height_of_cut,
-                   std::vector<WallFace>& faces)
+findFacesThatEndRooms (const RoomSides& rooms,
+                       const std::vector<PlanPlane>& planes,
+                       double height_of_cut,
+                       std::vector<WallFace>& faces)
 {
   for (WallFace& face : faces) {
     const PlanPlane& plane = planes[face.planes.front()];
@@ -287,26 +294,27 @@ findWhereRoomsEnd (const RoomSides& rooms,
       return over_cut > constants.half_band_of_cloud &&
              over_cut < constants.max_furniture_over_cut;
     };
-    const auto over_furniture =
+    const auto points_over_furniture =
         std::count_if (plane.points.begin(), plane.points.end(), is_over_furniture);
     const bool is_seen_over_furniture =
-        static_cast<double> (over_furniture) >
+        static_cast<double> (points_over_furniture) >
         constants.min_share_over_furniture * static_cast<double> (plane.points.size());
     face.ends_rooms = is_seen_over_furniture &&
                       rooms.endAt (plane.normal.head<2>().normalized(), plane.points);
   }
 }
 
-/** \brief Returns a face for each plane with points for which \p isSuch is true. */
-template <typename IsSuch>
+/** \brief Returns a face for each plane that has points and for which \p predicate is
+ * true. */
+template <typename Predicate>
 std::vector<WallFace>
 facesOf (const std::vector<PlanPlane>& planes,
          double height_of_cut,
-         const IsSuch& isSuch)
+         const Predicate& predicate)
 {
   std::vector<WallFace> faces;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    if (isSuch (planes[i]) && !planes[i].points.empty())
+    if (predicate (planes[i]) && !planes[i].points.empty())
       faces.push_back (faceOf (planes[i].normal, planes[i].points, i, height_of_cut));
   return faces;
 }
@@ -319,23 +327,24 @@ isWall (const PlanPlane& plane)
 
 /** \brief Returns whether a plane may be a door leaf or a window pane. */
 bool
-isUpright (const PlanPlane& plane)
+mayBeLeaf (const PlanPlane& plane)
 {
   return plane.kind == PlaneKind::Other &&
          std::abs (plane.normal.z()) < constants.max_sine_of_upright;
 }
 
-/** \brief Returns a test of gaps by points at the height of the cut. A gap is hidden if
- * more than half of its length has points before or in it, and at most half of its
- * length has points behind it. */
+/** \brief Returns a test whether points hide a gap of a wall. A gap is hidden if more
+ * than half of its length has points in front of it or in it, and at most half of its
+ * length has points behind it, which are seen through the gap.
+ * \param[in] points near the height of the cut */
 IsHidden
 hiddenBy (PlanPoints points)
 {
   return [points = std::move (points)] (const PlanLine& line, const Interval& gap) {
     const std::size_t bins =
-        static_cast<std::size_t> (gap.length() / constants.edge_of_gap_bin) + 1;
-    std::vector<char> before (bins, 0);
-    std::vector<char> behind (bins, 0);
+        static_cast<std::size_t> (gap.length() / constants.length_of_gap_bin) + 1;
+    std::vector<char> is_hidden (bins, 0); // by points in front of the bin or in it
+    std::vector<char> is_seen_through (bins, 0); // has points behind it
     for (const Vector3d& point : points) {
       const double distance = line.distance (point.head<2>());
       const double position = line.positionOf (point.head<2>());
@@ -343,20 +352,20 @@ hiddenBy (PlanPoints points)
                                  position >= gap.from && position <= gap.to;
       if (!is_beside_gap)
         continue;
-      const auto bin =
-          static_cast<std::size_t> ((position - gap.from) / constants.edge_of_gap_bin);
-      const bool is_behind = distance <= -constants.max_depth_in_wall;
-      (is_behind ? behind : before)[bin] = 1;
+      const auto bin = static_cast<std::size_t> ((position - gap.from) /
+                                                 constants.length_of_gap_bin);
+      const bool is_behind = distance <= -constants.max_depth_of_hiding;
+      (is_behind ? is_seen_through : is_hidden)[bin] = 1;
     }
-    const auto bins_before = std::count (before.begin(), before.end(), 1);
-    const auto bins_behind = std::count (behind.begin(), behind.end(), 1);
+    const auto hidden = std::count (is_hidden.begin(), is_hidden.end(), 1);
+    const auto seen_through =
+        std::count (is_seen_through.begin(), is_seen_through.end(), 1);
     const auto half = static_cast<std::ptrdiff_t> (bins) / 2;
-    return bins_before > half && bins_behind <= half;
+    return hidden > half && seen_through <= half;
   };
 }
 
-/** \brief Moves a plan from the frame of the cloud to that of the planes.
- * \param[in] shift of the cloud, in the frame of the plan [m] */
+/** \brief Moves a plan by a shift in its frame [m]. */
 void
 moveBy (const Vector3d& shift, FloorPlan& plan)
 {
@@ -454,10 +463,10 @@ findFloorPlan (const CloudView& cloud,
 {
   checkInput (cloud, planes, kinds, up, parameters);
   FloorPlan plan;
-  const Eigen::Matrix3d turn = turnUpright (up);
-  plan.to_plan = turn / parameters.meter;
+  const Eigen::Matrix3d rotation = turnUpright (up);
+  plan.to_plan = rotation / parameters.meter;
   const PlanCloud points (cloud, plan.to_plan);
-  std::vector<PlanPlane> plan_planes = planPlanes (points, planes, kinds, turn);
+  std::vector<PlanPlane> plan_planes = planesInPlan (points, planes, kinds, rotation);
   const double lowest = lowestFloor (plan_planes);
   plan.height = lowest + parameters.cut_height;
   plan.floor = floorBelow (plan_planes, plan.height, lowest);
@@ -466,10 +475,10 @@ findFloorPlan (const CloudView& cloud,
   const RoomSides rooms ({&cover.floor, &cover.ceiling});
   turnToRooms (rooms, plan_planes);
   std::vector<WallFace> walls = facesOf (plan_planes, plan.height, isWall);
-  findWhereRoomsEnd (rooms, plan_planes, plan.height, walls);
+  findFacesThatEndRooms (rooms, plan_planes, plan.height, walls);
   const std::vector<WallFace> faces =
       withoutRecesses (withoutFurniture (joinFaces (std::move (walls))),
-                       facesOf (plan_planes, plan.height, isUpright));
+                       facesOf (plan_planes, plan.height, mayBeLeaf));
   std::vector<WallSpan> spans = spansOf (faces, parameters);
   addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
   plan.walls = toWalls (faces, spans, plan.floor, plan.height);

@@ -34,11 +34,12 @@ using CutGraph = boost::adjacency_list<
                                     boost::property<boost::edge_reverse_t,
                                                     CutTraits::edge_descriptor>>>>;
 
+/** \brief Returns a part of the cost as a capacity [mm^2]. */
 Capacity
 toCapacity (double square_meters)
 {
-  constexpr double units = 1e6; // square millimeters per square meter
-  return std::llround (units * square_meters);
+  constexpr double square_millimeters_per_square_meter = 1e6;
+  return std::llround (square_millimeters_per_square_meter * square_meters);
 }
 
 /** \brief Adds two arcs, each the reverse of the other.
@@ -70,13 +71,15 @@ cellsInside (const std::vector<CellEvidence>& cells,
   const std::size_t outside = cells.size() + 1;
   CutGraph graph (cells.size() + 2);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto& [covered, uncovered, rim] = cells[i];
-    const Capacity against = toCapacity (uncovered + constants.max_unseen * rim);
-    addArcs (inside, i, toCapacity (covered), 0, graph);
-    addArcs (i, outside, against, 0, graph);
+    const auto& [covered, uncovered, border_without_wall] = cells[i];
+    const Capacity cost_of_outside = toCapacity (covered);
+    const Capacity cost_of_inside =
+        toCapacity (uncovered + constants.max_unseen * border_without_wall);
+    addArcs (inside, i, cost_of_outside, 0, graph);
+    addArcs (i, outside, cost_of_inside, 0, graph);
   }
-  for (const auto& [first, second, open] : borders) {
-    const Capacity cost = toCapacity (constants.max_unseen * open);
+  for (const auto& [first, second, open_length] : borders) {
+    const Capacity cost = toCapacity (constants.max_unseen * open_length);
     addArcs (first, second, cost, cost, graph);
   }
   boost::boykov_kolmogorov_max_flow (graph, inside, outside);

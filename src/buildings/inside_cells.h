@@ -13,23 +13,27 @@ struct CellEvidence {
    */
   double covered = 0.0;
   double uncovered = 0.0;
-  /** \brief Length of the part of the cell's border that is on the rim of the plan,
-   * the border of the box that holds all cells [m]. For a cell within a wall it is the
-   * length of the whole border of the cell. */
-  double rim = 0.0;
+  /** \brief Length of the parts of the cell's border that have no wall if the cell is
+   * in a room, whatever other cells are [m]: those on the rim of the plan, the border
+   * of the box that holds all cells. For a cell within a wall it is the whole border.
+   */
+  double border_without_wall = 0.0;
 };
 
 /** \brief Two cells with a common side, by their indices in the list of cells. */
 struct CellBorder {
   std::size_t first, second;
-  /** \brief Length of the common side that has no wall [m]. */
-  double open;
+  /** \brief Length of the parts of the common side that have no wall [m]. */
+  double open_length;
 };
 
-/** \brief Returns for each cell 1 if it is in a room, else 0: a minimum graph cut, as
- * in Ochmann et al. 2016 but with no labels for walls, of the cost [m^2] covered area
- * outside of rooms + uncovered area inside of rooms
- *     + max_unseen [m] of constants.h * length of the border of rooms without a wall.
+/** \brief Returns for each cell 1 if it is in a room, else 0. A minimum graph cut, as
+ * in Ochmann et al. 2016 but with no labels for walls, minimizes the cost [m^2]
+ *
+ *     covered area outside of rooms + uncovered area inside of rooms
+ *     + max_unseen [m] (constants.h) * length of the parts of borders of rooms that
+ * have no wall.
+ *
  * So a room extends over unseen floor up to a wall. It can end at a wall even if some
  * floor was seen beyond the wall. */
 std::vector<char>

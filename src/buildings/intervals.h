@@ -19,7 +19,7 @@ struct Interval {
   }
 };
 
-/** \brief Ascending, none touching another. */
+/** \brief Intervals of one line, ascending; no two touch each other. */
 using Intervals = std::vector<Interval>;
 
 /** \brief Returns the union of both lists, with gaps up to \p max_gap [m] closed. */
@@ -39,8 +39,8 @@ unionOf (Intervals intervals, const Intervals& others, double max_gap)
   return all;
 }
 
-/** \brief Returns the intervals that positions cover. A gap between neighboring
- * positions larger than \p max_gap [m] separates two intervals. */
+/** \brief Returns the intervals that positions on a line [m] cover. A gap between
+ * neighboring positions larger than \p max_gap [m] separates two intervals. */
 inline Intervals
 intervalsOf (const std::vector<double>& positions, double max_gap)
 {
@@ -55,24 +55,24 @@ intervalsOf (const std::vector<double>& positions, double max_gap)
 inline Intervals
 without (const Intervals& intervals, const Intervals& others)
 {
-  Intervals left;
-  for (Interval rest : intervals) {
+  Intervals uncovered;
+  for (Interval rest : intervals) { // the part that no interval so far has covered
     for (const Interval& other : others) {
       if (other.to <= rest.from || other.from >= rest.to)
         continue;
       if (other.from > rest.from)
-        left.push_back ({rest.from, other.from});
+        uncovered.push_back ({rest.from, other.from});
       rest.from = std::min (rest.to, other.to);
     }
     if (rest.from < rest.to)
-      left.push_back (rest);
+      uncovered.push_back (rest);
   }
-  return left;
+  return uncovered;
 }
 
 /** \brief Returns the length of the parts of an interval that \p others cover [m]. */
 inline double
-lengthWithin (const Interval& interval, const Intervals& others)
+coveredLength (const Interval& interval, const Intervals& others)
 {
   double length = 0.0;
   for (const Interval& other : others)

@@ -14,17 +14,18 @@ namespace {
 /** \brief Points within this distance of a line lie on it [m]. */
 constexpr double on_line = 1e-7;
 
-/** \brief Returns whether two points lie on different sides of a line.
- * \param[in] begin, end their signed distances to the line [m] */
+/** \brief Returns whether two points lie on different sides of a line, neither on it.
+ * \param[in] first, second their signed distances to the line [m] */
 bool
-areOnDifferentSides (double begin, double end)
+areOnDifferentSides (double first, double second)
 {
-  return (begin > on_line && end < -on_line) || (begin < -on_line && end > on_line);
+  return (first > on_line && second < -on_line) ||
+         (first < -on_line && second > on_line);
 }
 
 /** \brief Returns the part of a cell on one side of a line.
- * \param[in] sign 1 for the part before the line, -1 for the part behind it
- * \param[in] line_index index of the line
+ * \param[in] sign 1 for the part in front of the line, -1 for the part behind it
+ * \param[in] line_index index of \p line in the list of lines
  * \return a cell without corners if there is no part, or hardly any */
 PlanCell
 partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t line_index)
@@ -34,19 +35,21 @@ partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t lin
   for (std::size_t i = 0; i < corners; ++i) {
     const Eigen::Vector2d& from = cell.corners[i];
     const Eigen::Vector2d& to = cell.corners[(i + 1) % corners];
-    const double begin = sign * line.distance (from);
-    const double end = sign * line.distance (to);
-    const bool is_in = begin >= -on_line;
-    const bool is_next_in = end >= -on_line;
-    if (is_in) {
+    const double from_distance = sign * line.distance (from);
+    const double to_distance = sign * line.distance (to);
+    const bool is_from_in_part = from_distance >= -on_line;
+    const bool is_to_in_part = to_distance >= -on_line;
+    if (is_from_in_part) {
       part.corners.push_back (from);
-      // A side that already lies on the line keeps its own line.
-      const bool leaves = !is_next_in && begin <= on_line;
-      part.lines.push_back (leaves ? line_index : cell.lines[i]);
+      // If the cell leaves the part at a corner on the line, the next side of the part
+      // runs along the line.
+      const bool runs_along_line = !is_to_in_part && from_distance <= on_line;
+      part.lines.push_back (runs_along_line ? line_index : cell.lines[i]);
     }
-    if (areOnDifferentSides (begin, end)) {
-      part.corners.push_back (from + begin / (begin - end) * (to - from));
-      part.lines.push_back (is_in ? line_index : cell.lines[i]);
+    if (areOnDifferentSides (from_distance, to_distance)) {
+      part.corners.push_back (from + from_distance / (from_distance - to_distance) *
+                                         (to - from));
+      part.lines.push_back (is_from_in_part ? line_index : cell.lines[i]);
     }
   }
   constexpr double smallest_area = 1e-10; // [m^2]
@@ -55,7 +58,7 @@ partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t lin
   return part;
 }
 
-/** \brief Whether a line divides a cell. */
+/** \brief Returns whether a cell has corners in front of a line and behind it. */
 bool
 divides (const PlanLine& line, const PlanCell& cell)
 {
@@ -73,8 +76,8 @@ divides (const PlanLine& line, const PlanCell& cell)
  * found: its line and the rounded sum (x, y) of its ends. */
 struct KeyedSide {
   std::size_t line;
-  long long x, y;
-  std::size_t cell, side;
+  long long sum_x, sum_y; // in steps of 0.1 mm
+  std::size_t cell, side; // index of the cell, and of the side in the cell
 };
 
 /** \brief Returns the sides of all cells that are not on the rim, sorted by key. */
@@ -83,20 +86,23 @@ sidesByKey (const std::vector<PlanCell>& cells)
 {
   constexpr double step = 1e-4; // of the rounded sums [m]
   std::vector<KeyedSide> sides;
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    for (std::size_t i = 0; i < cells[c].corners.size(); ++i) {
-      if (cells[c].lines[i] == no_line)
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const PlanCell& cell = cells[c];
+    for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+      if (cell.lines[i] == no_line)
         continue;
       const Eigen::Vector2d sum =
-          cells[c].corners[i] + cells[c].corners[(i + 1) % cells[c].corners.size()];
-      sides.push_back ({cells[c].lines[i],
+          cell.corners[i] + cell.corners[(i + 1) % cell.corners.size()];
+      sides.push_back ({cell.lines[i],
                         std::llround (sum.x() / step),
                         std::llround (sum.y() / step),
                         c,
                         i});
     }
+  }
   std::sort (sides.begin(), sides.end(), [] (const KeyedSide& a, const KeyedSide& b) {
-    return std::tie (a.line, a.x, a.y, a.cell) < std::tie (b.line, b.x, b.y, b.cell);
+    return std::tie (a.line, a.sum_x, a.sum_y, a.cell) <
+           std::tie (b.line, b.sum_x, b.sum_y, b.cell);
   });
   return sides;
 }
@@ -111,17 +117,17 @@ cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines)
   std::vector<PlanCell> cells = {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}},
                                   {no_line, no_line, no_line, no_line}}};
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::vector<PlanCell> next;
+    std::vector<PlanCell> divided;
     for (const PlanCell& cell : cells) {
       if (!divides (lines[i], cell)) {
-        next.push_back (cell);
+        divided.push_back (cell);
         continue;
       }
       for (const double sign : {1.0, -1.0})
         if (PlanCell part = partOf (cell, lines[i], sign, i); !part.corners.empty())
-          next.push_back (std::move (part));
+          divided.push_back (std::move (part));
     }
-    cells = std::move (next);
+    cells = std::move (divided);
   }
   return cells;
 }
@@ -130,16 +136,17 @@ std::vector<CommonSide>
 commonSides (const std::vector<PlanCell>& cells)
 {
   const std::vector<KeyedSide> sides = sidesByKey (cells);
-  // Rounding may separate the sums of one side by one step in x and in y.
-  const auto may_be_equal = [&] (std::size_t i, std::size_t j) {
-    return sides[j].line == sides[i].line && sides[j].x - sides[i].x <= 1;
+  // Rounding may separate the two sums of a common side by one step in x and in y.
+  // Sorted sides from j on can equal side i only while this is true.
+  const auto may_equal_x = [&] (std::size_t i, std::size_t j) {
+    return sides[j].line == sides[i].line && sides[j].sum_x - sides[i].sum_x <= 1;
   };
   std::vector<CommonSide> common;
   std::vector<char> is_taken (sides.size(), 0);
   for (std::size_t i = 0; i < sides.size(); ++i)
-    for (std::size_t j = i + 1; !is_taken[i] && j < sides.size() && may_be_equal (i, j);
+    for (std::size_t j = i + 1; !is_taken[i] && j < sides.size() && may_equal_x (i, j);
          ++j)
-      if (!is_taken[j] && std::llabs (sides[j].y - sides[i].y) <= 1 &&
+      if (!is_taken[j] && std::llabs (sides[j].sum_y - sides[i].sum_y) <= 1 &&
           sides[j].cell != sides[i].cell) {
         is_taken[i] = is_taken[j] = 1;
         common.push_back ({sides[i].cell, sides[j].cell, sides[i].side});

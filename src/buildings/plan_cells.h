@@ -10,20 +10,20 @@
 
 namespace pcl_ops::internal::buildings {
 
+/** \brief Stands for the index of a line at a side on the rim of the plan. */
+constexpr std::size_t no_line = static_cast<std::size_t> (-1);
+
 /** \brief A convex cell of a plan, bounded by lines and by the rim of the plan. */
 struct PlanCell {
-  /** \brief Counter-clockwise. */
+  /** \brief Counter-clockwise; the first corner is not repeated. */
   PlanarPoints corners;
   /** \brief For each side, from a corner to the next: the index of its line in the list
    * of lines, or no_line at the rim. */
   std::vector<std::size_t> lines;
 };
 
-/** \brief Marks sides on the rim of the plan. */
-constexpr std::size_t no_line = static_cast<std::size_t> (-1);
-
 /** \brief Divides a box into cells by all lines. Each line is extended to the border of
- * the box, the rim of the plan. */
+ * the box, which is the rim of the plan. */
 std::vector<PlanCell>
 cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines);
 

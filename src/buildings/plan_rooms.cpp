@@ -22,6 +22,9 @@ namespace {
 
 using Eigen::Vector2d;
 
+/** \brief Positions this near are the same but for rounding [m]. */
+constexpr double rounding = 1e-3;
+
 /** \brief Union-find of cells: the cells of one room are one set. */
 class CellSets {
 public:
@@ -30,6 +33,7 @@ public:
     std::iota (parents_.begin(), parents_.end(), std::size_t (0));
   }
 
+  /** \brief Returns the cell that represents the set of \p cell. */
   std::size_t
   rootOf (std::size_t cell)
   {
@@ -43,9 +47,9 @@ public:
   void
   join (std::size_t first, std::size_t second)
   {
-    const std::size_t one = rootOf (first);
-    const std::size_t other = rootOf (second);
-    parents_[std::max (one, other)] = std::min (one, other);
+    const std::size_t first_root = rootOf (first);
+    const std::size_t second_root = rootOf (second);
+    parents_[std::max (first_root, second_root)] = std::min (first_root, second_root);
   }
 
 private:
@@ -61,20 +65,21 @@ walledLength (const PlanSide& side, const std::vector<CellLine>& lines)
   const PlanLine& line = lines[side.line].line;
   const double from = line.positionOf (side.from);
   const double to = line.positionOf (side.to);
-  return lengthWithin ({std::min (from, to), std::max (from, to)},
-                       lines[side.line].walls);
+  return coveredLength ({std::min (from, to), std::max (from, to)},
+                        lines[side.line].walls);
 }
 
+/** \brief Returns the side of a cell from corner \p i to the next. */
 PlanSide
 sideOf (const PlanCell& cell, std::size_t i)
 {
   return {cell.corners[i], cell.corners[(i + 1) % cell.corners.size()], cell.lines[i]};
 }
 
-/** \brief Returns the centroid of the area of a room; nothing if it is outside, as it
- * may be for an L. */
+/** \brief Returns the centroid of the area of a room; nothing if the centroid is
+ * outside of the room, as it may be for a room of the shape of an L. */
 std::optional<Vector2d>
-centerOf (const PlanarRings& rings)
+centroidInside (const PlanarRings& rings)
 {
   Vector2d sum = Vector2d::Zero();
   double twice_area = 0.0;
@@ -86,38 +91,46 @@ centerOf (const PlanarRings& rings)
       twice_area += cross (from, to);
       sum += cross (from, to) * (from + to);
     }
-  const Vector2d center = origin + sum / (3.0 * twice_area);
-  for (const PlanarPoints& ring : rings)
-    if (isWithinRing (ring, center) != (&ring == &rings.front()))
+  const Vector2d centroid = origin + sum / (3.0 * twice_area);
+  for (const PlanarPoints& ring : rings) {
+    const bool is_hole = &ring != &rings.front();
+    if (isWithinRing (ring, centroid) == is_hole)
       return {};
-  return center;
+  }
+  return centroid;
 }
 
 /** \brief Returns a room with outline, holes, area and a position inside; its area is 0
  * if the sides form no ring.
- * \param[in] largest the largest cell of the room */
+ * \param[in] sides around the cells of the room, and around its holes
+ * \param[in] largest_cell the largest cell of the room */
 PlanRoom
-roomWithin (const std::vector<PlanSide>& sides, const PlanCell& largest)
+roomWithin (const std::vector<PlanSide>& sides, const PlanCell& largest_cell)
 {
   PlanarRings rings = ringsOf (sides);
+  // The outline has the largest area; holes are clockwise, so that their areas are
+  // negative.
   std::sort (rings.begin(), rings.end(), [] (const auto& a, const auto& b) {
     return areaOf (a) > areaOf (b);
   });
   PlanRoom room;
   for (PlanarPoints& ring : rings) {
-    const double area = areaOf (ring); // below 0 for a hole
-    if (!room.rings.empty() && area > -constants.min_hole_area)
+    const double area = areaOf (ring);
+    const bool is_outline = room.rings.empty();
+    if (!is_outline && area > -constants.min_hole_area)
       continue;
     room.area += area;
     room.rings.push_back (std::move (ring));
   }
-  for (const Vector2d& corner : largest.corners)
-    room.middle += corner / static_cast<double> (largest.corners.size());
+  for (const Vector2d& corner : largest_cell.corners)
+    room.middle += corner / static_cast<double> (largest_cell.corners.size());
   if (!room.rings.empty())
-    room.middle = centerOf (room.rings).value_or (room.middle);
+    room.middle = centroidInside (room.rings).value_or (room.middle);
   return room;
 }
 
+/** \brief Returns the median, or the upper one of two middle values.
+ * \param[in,out] values at least one; reordered */
 double
 medianOf (std::vector<double>& values)
 {
@@ -126,17 +139,18 @@ medianOf (std::vector<double>& values)
   return *middle;
 }
 
-/** \brief Returns the median over grid squares of the median height of the points in a
- * ring [m]; nothing without points. Each square counts once, because most points are
- * near the sensor and a scan that drifted is bent. The median of all points made the
- * height of a measured room wrong by 3.4 cm, that of squares by less than 1 cm. */
+/** \brief Returns the height of the points in a ring [m]: the median over grid squares
+ * of the median height in the square; nothing without points. Each square counts once,
+ * because most points are near the sensor, and floors and ceilings are bent where the
+ * pose of the scan drifted. In a measured room the median of all points was wrong
+ * by 3.4 cm, the median over squares by less than 1 cm. */
 std::optional<double>
 heightIn (const PlanarPoints& ring, const PlanPoints& points)
 {
   Eigen::AlignedBox2d box;
   for (const Vector2d& corner : ring)
     box.extend (corner);
-  std::map<std::pair<long, long>, std::vector<double>> squares;
+  std::map<std::pair<long, long>, std::vector<double>> squares; // heights by square
   for (const Eigen::Vector3d& point : points)
     if (box.contains (point.head<2>().eval()) && isWithinRing (ring, point.head<2>())) {
       const Vector2d square =
@@ -147,11 +161,12 @@ heightIn (const PlanarPoints& ring, const PlanPoints& points)
   if (squares.empty())
     return {};
   std::vector<double> heights;
-  for (auto& [square, of_square] : squares)
-    heights.push_back (medianOf (of_square));
+  for (auto& [square, heights_in_square] : squares)
+    heights.push_back (medianOf (heights_in_square));
   return medianOf (heights);
 }
 
+/** \brief Returns the box whose border is the rim of the plan. */
 Eigen::AlignedBox2d
 boxAround (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
 {
@@ -179,93 +194,95 @@ struct DividedPlan {
   std::vector<char> is_inside; // of each cell
 };
 
-/** \brief Length of the border of a cell, and of its parts on walls and on the rim of
- * the plan [m]. */
+/** \brief Lengths of the border of a cell [m]. */
 struct BorderLengths {
-  double length = 0.0;
-  double walled = 0.0;
-  double rim = 0.0;
-  /** \brief The same without the side that has the greatest length of walls. */
-  double other_length = 0.0;
-  double other_walled = 0.0;
+  double whole = 0.0;
+  double walled = 0.0; // of the parts on walls
+  double on_rim = 0.0; // of the parts on the rim of the plan
+  /** \brief Whole and walled length without the most walled side: the side that has the
+   * greatest length of walls. */
+  double whole_of_others = 0.0;
+  double walled_of_others = 0.0;
 };
 
 BorderLengths
 borderLengthsOf (const PlanCell& cell, const DividedPlan& plan)
 {
-  BorderLengths outline;
+  BorderLengths border;
   double most_walled = -1.0;
-  double length_of_most = 0.0;
+  double length_of_most_walled = 0.0;
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
     const PlanSide side = sideOf (cell, i);
     const double length = side.length();
     const double walled = walledLength (side, plan.lines);
-    outline.length += length;
-    outline.walled += walled;
-    outline.rim += side.line == no_line ? length : 0.0;
+    border.whole += length;
+    border.walled += walled;
+    border.on_rim += side.line == no_line ? length : 0.0;
     if (walled > most_walled) {
       most_walled = walled;
-      length_of_most = length;
+      length_of_most_walled = length;
     }
   }
-  outline.other_length = outline.length - length_of_most;
-  outline.other_walled = outline.walled - most_walled;
-  return outline;
+  border.whole_of_others = border.whole - length_of_most_walled;
+  border.walled_of_others = border.walled - most_walled;
+  return border;
 }
 
 /** \brief Returns whether the width of an area of about the shape of a rectangle is
- * less than min_room_width. As the width counts 2 area / length of the border, which is
- * below the width of a rectangle and near it for a long one. */
+ * less than min_room_width. Its width is taken as 2 area / (length of its border),
+ * which is less than the width of a rectangle, and nearly equal to it for a long one.
+ * \param[in] area [m^2]
+ * \param[in] border_length [m] */
 bool
-isNarrow (double area, double border)
+isNarrow (double area, double border_length)
 {
-  return 2.0 * area < constants.min_room_width * border;
+  return 2.0 * area < constants.min_room_width * border_length;
 }
 
 /** \brief Returns the evidence for and against a cell being in a room. A narrow cell is
  * within a wall if walls are on most of its border even without its most walled side.
- * Then all its area and border count against it. */
+ * Then its whole area and its whole border count against it. */
 CellEvidence
 evidenceOfCell (const PlanCell& cell,
                 const DividedPlan& plan,
                 const CoveredSquares& squares)
 {
   const double area = areaOf (cell.corners);
-  const BorderLengths outline = borderLengthsOf (cell, plan);
+  const BorderLengths border = borderLengthsOf (cell, plan);
   const bool has_walls_around =
-      outline.other_walled > constants.min_walled * outline.other_length;
-  if (isNarrow (area, outline.length) && has_walls_around)
-    return {0.0, area, outline.length};
-  const double share = squares.shareOf (cell);
-  return {share * area, (1.0 - share) * area, outline.rim};
+      border.walled_of_others > constants.min_walled_share * border.whole_of_others;
+  if (isNarrow (area, border.whole) && has_walls_around)
+    return {0.0, area, border.whole};
+  const double covered_share = squares.coveredShareOf (cell);
+  return {covered_share * area, (1.0 - covered_share) * area, border.on_rim};
 }
 
 /** \brief Returns whether a cell is as narrow as walls are thick, and has exactly two
- * long sides, both on lines of walls with the cell behind them. */
+ * long sides, both on lines of walls that have the cell behind them. */
 bool
 isWithinWall (const PlanCell& cell, const DividedPlan& plan)
 {
-  const double length = borderLengthsOf (cell, plan).length;
-  const bool is_wide = 2.0 * areaOf (cell.corners) > constants.min_room_width * length;
+  const double border_length = borderLengthsOf (cell, plan).whole;
+  const bool is_wide =
+      2.0 * areaOf (cell.corners) > constants.min_room_width * border_length;
   if (is_wide)
     return false;
   Vector2d middle = Vector2d::Zero();
   for (const Vector2d& corner : cell.corners)
     middle += corner / static_cast<double> (cell.corners.size());
-  // Numbers of long sides with the cell behind them, and of others.
-  std::size_t behind = 0;
-  std::size_t before = 0;
+  std::size_t backs_of_walls = 0; // long sides on walls with the cell behind them
+  std::size_t other_long_sides = 0;
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
     const PlanSide side = sideOf (cell, i);
-    const bool is_short = 4.0 * side.length() < length; // below a quarter of the border
-    if (is_short)
+    const bool is_long = 4.0 * side.length() >= border_length; // a quarter of it
+    if (!is_long)
       continue;
-    const bool is_behind = side.line != no_line &&
-                           !plan.lines[side.line].walls.empty() &&
-                           plan.lines[side.line].line.distance (middle) < 0.0;
-    ++(is_behind ? behind : before);
+    const bool is_back_of_wall = side.line != no_line &&
+                                 !plan.lines[side.line].walls.empty() &&
+                                 plan.lines[side.line].line.distance (middle) < 0.0;
+    ++(is_back_of_wall ? backs_of_walls : other_long_sides);
   }
-  return behind == 2 && before == 0;
+  return backs_of_walls == 2 && other_long_sides == 0;
 }
 
 /** \brief Returns for each cell whether it is in a room, by its cover and its walls. */
@@ -275,24 +292,24 @@ cellsInRooms (const DividedPlan& plan,
               const Eigen::AlignedBox2d& box)
 {
   const double edge = std::max (
-      constants.min_edge_of_cover,
+      constants.min_edge_of_cover_square,
       std::sqrt (constants.points_of_cover_square / meanDensityOf (cover, box)));
   const CoveredSquares squares (cover, box, edge);
   std::vector<CellEvidence> evidence;
   for (const PlanCell& cell : plan.cells)
     evidence.push_back (evidenceOfCell (cell, plan, squares));
   std::vector<CellBorder> borders;
-  for (const auto& [first, second, i] : commonSides (plan.cells)) {
-    const PlanSide side = sideOf (plan.cells[first], i);
+  for (const auto& [first, second, side_of_first] : commonSides (plan.cells)) {
+    const PlanSide side = sideOf (plan.cells[first], side_of_first);
     const double walled = walledLength (side, plan.lines);
     borders.push_back ({first, second, std::max (0.0, side.length() - walled)});
   }
   return cellsInside (evidence, borders);
 }
 
-/** \brief Takes cells within walls out of rooms, so that no room goes through a wall
- * where neither side of the wall was seen, as at a door beside a missing piece. Floors
- * and ceilings end at such a part of a wall, too: the cell has few of their points. */
+/** \brief Takes cells within walls out of rooms, so that no room extends through a wall
+ * where neither side of the wall was seen, as beside a door. Floors and ceilings end at
+ * such a part of a wall, too: the cell has few of their points. */
 void
 leaveOutCellsWithinWalls (const PlanPoints& cover,
                           const Eigen::AlignedBox2d& box,
@@ -300,40 +317,42 @@ leaveOutCellsWithinWalls (const PlanPoints& cover,
 {
   const CoveredSquares squares (cover, box, constants.edge_of_side_square);
   const double max_density =
-      constants.max_cover_within_wall * meanDensityOf (cover, box);
+      constants.max_density_share_within_wall * meanDensityOf (cover, box);
   for (std::size_t i = 0; i < plan.cells.size(); ++i)
     if (plan.is_inside[i] && isWithinWall (plan.cells[i], plan) &&
         squares.densityOf (plan.cells[i]) < max_density)
       plan.is_inside[i] = 0;
 }
 
-/** \brief Joins cells in rooms whose common side is mostly without a wall. */
+/** \brief Returns the sets of cells that form rooms: two cells inside are in one room
+ * if their common side is mostly without a wall. */
 CellSets
 joinCells (const DividedPlan& plan)
 {
   CellSets sets (plan.cells.size());
-  for (const auto& [first, second, i] : commonSides (plan.cells)) {
-    const PlanSide side = sideOf (plan.cells[first], i);
+  for (const auto& [first, second, side_of_first] : commonSides (plan.cells)) {
+    const PlanSide side = sideOf (plan.cells[first], side_of_first);
     const bool is_open =
-        walledLength (side, plan.lines) < constants.min_walled * side.length();
+        walledLength (side, plan.lines) < constants.min_walled_share * side.length();
     if (plan.is_inside[first] && plan.is_inside[second] && is_open)
       sets.join (first, second);
   }
   return sets;
 }
 
-/** \brief A side of a cell: the index of the cell, and that of the side in it. */
+/** \brief A side of a cell: the index of the cell, and the index of the side in the
+ * cell. */
 using CellSide = std::pair<std::size_t, std::size_t>;
 
 /** \brief Maps sides of cells to the index of the cell beyond the side. */
 std::map<CellSide, std::size_t>
 cellsBeyondSides (const std::vector<PlanCell>& cells)
 {
-  constexpr double rounding = 1e-3; // [m]
   std::map<CellSide, std::size_t> neighbors;
-  for (const auto& [first, second, i] : commonSides (cells)) {
-    neighbors[{first, i}] = second;
-    const PlanSide side = sideOf (cells[first], i);
+  for (const auto& [first, second, side_of_first] : commonSides (cells)) {
+    neighbors[{first, side_of_first}] = second;
+    const PlanSide side = sideOf (cells[first], side_of_first);
+    // Both cells are counter-clockwise: the side of the second one runs backwards.
     for (std::size_t j = 0; j < cells[second].corners.size(); ++j)
       if (const PlanSide other = sideOf (cells[second], j);
           (other.from - side.to).norm() < rounding &&
@@ -343,9 +362,9 @@ cellsBeyondSides (const std::vector<PlanCell>& cells)
   return neighbors;
 }
 
-/** \brief The cells of a room: the index of the largest one, and the outline of all. */
+/** \brief The cells of a room. */
 struct JoinedCells {
-  std::size_t largest;
+  std::size_t largest;           // index of the largest cell
   std::vector<PlanSide> outline; // sides with no other cell of the room beyond them
 };
 
@@ -373,57 +392,58 @@ outlinesOf (const DividedPlan& plan, CellSets& sets)
   return rooms;
 }
 
-/** \brief Returns the parts of a side that are no wall, by positions along another line
+/** \brief Returns the parts of a side that are no wall, as intervals of \p edge, a line
  * on which the side lies. */
 Intervals
-partsWithoutWall (const PlanSide& side, const PlanLine& along, const DividedPlan& plan)
+unwalledParts (const PlanSide& side, const PlanLine& edge, const DividedPlan& plan)
 {
   if (side.line == no_line)
-    return {{along.positionOf (side.from), along.positionOf (side.to)}};
-  const PlanLine& wall = plan.lines[side.line].line;
+    return {{edge.positionOf (side.from), edge.positionOf (side.to)}};
+  const auto& [line, walls] = plan.lines[side.line];
   const auto [from, to] =
-      std::minmax ({wall.positionOf (side.from), wall.positionOf (side.to)});
+      std::minmax ({line.positionOf (side.from), line.positionOf (side.to)});
   Intervals parts;
-  for (const Interval& part : without ({{from, to}}, plan.lines[side.line].walls)) {
-    const auto [first, second] = std::minmax (
-        {along.positionOf (wall.at (part.from)), along.positionOf (wall.at (part.to))});
-    parts.push_back ({first, second});
+  for (const Interval& part : without ({{from, to}}, walls)) {
+    const auto [begin, end] = std::minmax (
+        {edge.positionOf (line.at (part.from)), edge.positionOf (line.at (part.to))});
+    parts.push_back ({begin, end});
   }
   return parts;
 }
 
-/** \brief Returns the parts of rings that are no wall and not shorter than
- * min_unseen_part, by their two ends. */
+/** \brief Returns both ends of each part of the rings of a room that is no wall and not
+ * shorter than min_unseen_part.
+ * \param[in] outline sides of the cells of the room, of which the rings consist */
 std::vector<std::pair<Vector2d, Vector2d>>
-partsWithoutWall (const PlanarRings& rings,
-                  const std::vector<PlanSide>& outline,
-                  const DividedPlan& plan)
+unseenParts (const PlanarRings& rings,
+             const std::vector<PlanSide>& outline,
+             const DividedPlan& plan)
 {
-  constexpr double rounding = 1e-3; // [m]
   std::vector<std::pair<Vector2d, Vector2d>> parts;
   for (const PlanarPoints& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vector2d edge = ring[(i + 1) % ring.size()] - ring[i];
-      const PlanLine line{ring[i], edge.normalized()};
+      const Vector2d to_next = ring[(i + 1) % ring.size()] - ring[i];
+      const PlanLine edge{ring[i], to_next.normalized()};
       const auto is_on_edge = [&] (const PlanSide& side) {
-        return std::abs (line.distance (side.from)) < rounding &&
-               std::abs (line.distance (side.to)) < rounding &&
-               line.positionOf (side.from) > -rounding &&
-               line.positionOf (side.to) < edge.norm() + rounding;
+        return std::abs (edge.distance (side.from)) < rounding &&
+               std::abs (edge.distance (side.to)) < rounding &&
+               edge.positionOf (side.from) > -rounding &&
+               edge.positionOf (side.to) < to_next.norm() + rounding;
       };
-      Intervals open;
+      Intervals unwalled;
       for (const PlanSide& side : outline)
         if (is_on_edge (side))
-          open = unionOf (open, partsWithoutWall (side, line, plan), rounding);
-      for (const Interval& part : open)
+          unwalled = unionOf (unwalled, unwalledParts (side, edge, plan), rounding);
+      for (const Interval& part : unwalled)
         if (part.length() >= constants.min_unseen_part)
-          parts.emplace_back (line.at (part.from), line.at (part.to));
+          parts.emplace_back (edge.at (part.from), edge.at (part.to));
     }
   return parts;
 }
 
-/** \brief Returns the room of joined cells; without rings if it is smaller than
- * \p smallest_area [m^2] or too narrow, or too little of its outline is walls. */
+/** \brief Returns the room of joined cells; a room without rings if the cells are
+ * smaller than \p smallest_area [m^2] or too narrow, or too little of their outline is
+ * walls. */
 PlanRoom
 roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest_area)
 {
@@ -435,10 +455,10 @@ roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest_area
   }
   PlanRoom room = roomWithin (joined.outline, plan.cells[joined.largest]);
   if (room.area < smallest_area || isNarrow (room.area, length) ||
-      walled < constants.min_walled * length)
+      walled < constants.min_walled_share * length)
     return {};
   room.enclosed = walled / length;
-  room.unseen = partsWithoutWall (room.rings, joined.outline, plan);
+  room.unseen = unseenParts (room.rings, joined.outline, plan);
   return room;
 }
 

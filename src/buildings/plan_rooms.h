@@ -18,7 +18,8 @@ struct Cover {
 };
 
 /** \brief Returns the rooms by descending area; empty for no walls or more than
- * max_walls walls.
+ * max_walls (constants.h) walls.
+ * \param[in] spans the walls on the faces
  * \param[in] smallest_area of a room [m^2] */
 std::vector<PlanRoom>
 roomsOf (const std::vector<WallFace>& faces,

@@ -40,12 +40,12 @@ snapped (double end,
     if (!position || std::abs (*position - end) > least_distance)
       continue;
     const double on_other = other.line.positionOf (face.line.at (*position));
-    const bool has_points_near = std::any_of (
+    const bool has_points_at_crossing = std::any_of (
         other.seen.begin(), other.seen.end(), [&] (const Interval& interval) {
           return on_other >= interval.from - max_snap &&
                  on_other <= interval.to + max_snap;
         });
-    if (has_points_near) {
+    if (has_points_at_crossing) {
       nearest = *position;
       least_distance = std::abs (*position - end);
     }
@@ -53,8 +53,8 @@ snapped (double end,
   return nearest;
 }
 
-/** \brief Returns the walls on a face. A wall includes gaps that are no longer than
- * max_opening and have no end that another wall meets. */
+/** \brief Returns the walls on a face, with the ends of their points. A wall includes
+ * gaps that are no longer than max_opening and have no end that another wall meets. */
 Intervals
 wallsOn (const WallFace& face,
          const std::vector<WallFace>& faces,
@@ -79,11 +79,11 @@ wallsOn (const WallFace& face,
 
 /** \brief Returns the parts of a wall without points at the height of the cut. */
 Intervals
-gapsOf (const Interval& whole, const Intervals& cut)
+gapsOf (const Interval& whole, const Intervals& at_cut)
 {
   Intervals gaps;
   double covered_to = whole.from;
-  for (const Interval& part : cut) {
+  for (const Interval& part : at_cut) {
     if (part.to <= whole.from || part.from >= whole.to)
       continue;
     if (part.from > covered_to)
@@ -103,13 +103,13 @@ openingOf (const WallFace& face,
            double floor,
            double height_of_cut)
 {
-  const double low = gap.from + constants.margin_of_opening * gap.length();
-  const double high = gap.to - constants.margin_of_opening * gap.length();
+  const double margin = constants.margin_of_opening * gap.length();
+  const Interval middle{gap.from + margin, gap.to - margin};
   PlanOpening opening;
   opening.from = face.line.at (gap.from);
   opening.to = face.line.at (gap.to);
   for (const FacePoint& point : face.points) {
-    if (point.position < low || point.position > high)
+    if (point.position < middle.from || point.position > middle.to)
       continue;
     const double over_floor = point.height - floor;
     if (point.height < height_of_cut)
@@ -121,7 +121,7 @@ openingOf (const WallFace& face,
 }
 
 /** \brief Returns the distance from a wall to the nearest wall behind it that faces the
- * other way [m]; nothing if there is none. */
+ * other way [m]; nothing if there is none within min_thickness and max_thickness. */
 std::optional<double>
 thicknessOf (const WallSpan& wall,
              const std::vector<WallFace>& faces,
@@ -130,18 +130,18 @@ thicknessOf (const WallSpan& wall,
   const PlanLine& line = faces[wall.face].line;
   std::optional<double> thickness;
   for (const WallSpan& other : spans) {
-    const PlanLine& back = faces[other.face].line;
-    if (line.along.dot (back.along) > constants.max_cosine_of_opposite)
+    const PlanLine& other_line = faces[other.face].line;
+    if (line.along.dot (other_line.along) > constants.max_cosine_of_opposite)
       continue;
-    // The other side along the line of this wall; it runs the opposite way.
-    const Interval opposite{line.positionOf (back.at (other.whole.to)),
-                            line.positionOf (back.at (other.whole.from))};
+    // The other wall as an interval of the line of this wall. It runs the opposite way.
+    const Interval opposite{line.positionOf (other_line.at (other.whole.to)),
+                            line.positionOf (other_line.at (other.whole.from))};
     const double from = std::max (wall.whole.from, opposite.from);
     const double to = std::min (wall.whole.to, opposite.to);
     if (to - from < constants.min_common_length)
       continue;
     const Eigen::Vector2d middle = line.at (0.5 * (from + to));
-    const double distance = -back.distance (middle);
+    const double distance = -other_line.distance (middle);
     if (distance >= constants.min_thickness &&
         distance <= std::min (constants.max_thickness,
                               thickness.value_or (constants.max_thickness)))
@@ -160,9 +160,9 @@ spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& paramete
     for (const Interval& wall : wallsOn (faces[i], faces, parameters)) {
       const Interval whole{snapped (wall.from, faces[i], faces, parameters.max_snap),
                            snapped (wall.to, faces[i], faces, parameters.max_snap)};
-      const bool is_seen_at_cut =
-          lengthWithin (whole, faces[i].cut) > constants.min_cut_share * whole.length();
-      // A part no longer than the way by which ends may be moved is no wall.
+      const bool is_seen_at_cut = coveredLength (whole, faces[i].at_cut) >
+                                  constants.min_share_at_cut * whole.length();
+      // A part no longer than the distance by which ends may be moved is no wall.
       if (whole.length() > parameters.max_snap &&
           (is_seen_at_cut || faces[i].ends_rooms))
         spans.push_back ({i, whole, {}, !is_seen_at_cut});
@@ -179,7 +179,7 @@ addOpenings (const std::vector<WallFace>& faces,
   for (WallSpan& span : spans) {
     if (span.is_hidden)
       continue;
-    for (const Interval& gap : gapsOf (span.whole, faces[span.face].cut)) {
+    for (const Interval& gap : gapsOf (span.whole, faces[span.face].at_cut)) {
       const double min_length =
           std::max (parameters.min_opening, faces[span.face].longest_spacing);
       if (gap.length() >= min_length && gap.length() <= parameters.max_opening &&

@@ -10,30 +10,32 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Returns whether something in a gap of a wall, or in front of it, hides the
- * gap at the height of the cut. A hidden gap is no opening. */
+/** \brief A function that returns whether something in a gap of a wall, or in front of
+ * the gap, hides it at the height of the cut. A hidden gap is no opening. */
 using IsHidden = std::function<bool (const PlanLine& line, const Interval& gap)>;
 
 /** \brief One wall from corner to corner, on the line of a face. */
 struct WallSpan {
   /** \brief Index of the wall's face in the list of faces. */
   std::size_t face;
-  /** \brief The wall and its openings, along the line of the face. */
+  /** \brief The whole wall, and its openings: intervals of the line of the face. */
   Interval whole;
   Intervals openings;
-  /** \brief At most the share min_cut_share of its length has points at the cut. */
+  /** \brief Whether at most the share min_share_at_cut (constants.h) of its length has
+   * points at the cut. */
   bool is_hidden = false;
 };
 
-/** \brief Returns the walls on each face, face after face. An end that is within
- * FloorPlanParameters::max_snap of the line of another face is moved to that line, if
- * the other face has points within max_snap, too. Left out are walls no longer than
- * max_snap, and walls that are hidden at the cut unless rooms end at their face. */
+/** \brief Returns the walls on each face, face after face, without openings. An end
+ * that is within FloorPlanParameters::max_snap of the line of another face is moved to
+ * that line, if the other face has points within max_snap of the crossing, too. Walls
+ * no longer than max_snap are left out, and walls that are hidden at the cut unless
+ * rooms end at their face. */
 std::vector<WallSpan>
 spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& parameters);
 
-/** \brief Adds its openings to each wall that is not hidden: gaps of suitable length at
- * the height of the cut for which \p is_hidden is false. */
+/** \brief Adds its openings to each wall that is not hidden: gaps at the height of the
+ * cut, as long as openings may be, for which \p is_hidden is false. */
 void
 addOpenings (const std::vector<WallFace>& faces,
              const FloorPlanParameters& parameters,

@@ -25,7 +25,9 @@ using Viewpoint = std::optional<Vector3d>;
 struct Sight {
   /** \brief Whether the plane is below the sensor: seen from above. */
   bool is_below = false;
-  double solid_angle = 0.0; // [sr], as if the plane were small for its distance
+  /** \brief Solid angle that the plane fills [sr]: area * cosine / distance^2, which
+   * holds for a plane that is small for its distance. 0 for a plane seen edge-on. */
+  double solid_angle = 0.0;
 };
 
 /** \brief Measures of a plane that the rules use, in meters. */
@@ -35,10 +37,10 @@ struct PlaneShape {
   double length = 0.0, width = 0.0, area = 0.0;
   /** \brief Angle between the plane and the horizontal [rad]. */
   double slope = 0.0;
-  /** \brief Heights of the centroid, and of the lowest and highest corner of the hull.
-   */
+  /** \brief Heights of the centroid, and of the lowest and highest corner of the hull;
+   * all three that of the centroid if there is no hull. */
   double middle = 0.0, low = 0.0, high = 0.0;
-  bool faces_down = false;
+  bool faces_down = false; // by its normal
   Sight sight = {};
 
   /** \brief Horizontal length of a vertical plane. */
@@ -52,7 +54,7 @@ struct PlaneShape {
 
 /** \brief Returns how a sensor saw a plane; is_below is false without a sensor.
  * \param[in] up unit vector
- * \param[in] meter length of a meter in the unit of the planes; also in all functions
+ * \param[in] meter length of a meter in the unit of the planes, as in all functions
  * below */
 Sight
 sightOf (const PlaneSegment& plane,
@@ -69,7 +71,7 @@ sightOf (const PlaneSegment& plane,
   const double above_plane =
       (plane.normal.dot (up) < 0.0 ? -1.0 : 1.0) * plane.normal.dot (to_sensor);
   const bool is_edge_on =
-      std::abs (above_plane) <= constants.min_sine_of_sight * distance;
+      std::abs (above_plane) <= constants.max_sine_of_edge_on * distance;
   Sight sight;
   if (is_edge_on) {
     sight.is_below = to_sensor.dot (up) > constants.min_drop_below_sensor;
@@ -81,25 +83,25 @@ sightOf (const PlaneSegment& plane,
   return sight;
 }
 
+/** \brief All planes, measured along one up axis. */
 struct Scene {
   std::vector<PlaneShape> shapes;
-  /** \brief Unit vector; heights of the shapes are along it. */
-  Vector3d up;
+  Vector3d up; // unit vector along which heights are measured
 };
 
-/** \brief Returns the sensor, or nothing if it is farther away than sensors see, as the
- * zero of map coordinates is. */
+/** \brief Returns the position of the sensor; nothing if it is not given, or farther
+ * away than sensors see, as the zero of map coordinates is. */
 Viewpoint
 nearSensor (const Viewpoint& sensor, const std::vector<PlaneExtent>& extents)
 {
-  double reach = 0.0;
-  for (const PlaneExtent& extent : extents)
-    reach = std::max (reach,
-                      (extent.center - extents.front().center).norm() + extent.length);
   if (!sensor || extents.empty())
     return {};
-  const double distance = (*sensor - extents.front().center).norm();
-  return distance > constants.max_distance_by_reach * reach ? std::nullopt : sensor;
+  const Vector3d& first_center = extents.front().center;
+  double size = 0.0; // of the scene, around the first plane
+  for (const PlaneExtent& extent : extents)
+    size = std::max (size, (extent.center - first_center).norm() + extent.length);
+  const double distance = (*sensor - first_center).norm();
+  return distance > constants.max_distance_by_size * size ? std::nullopt : sensor;
 }
 
 PlaneShape
@@ -135,10 +137,12 @@ shapeOf (const PlaneSegment& plane,
 void
 checkIsFinite (const PlaneShape& shape)
 {
-  const Vector3d all = shape.normal + shape.center + shape.long_axis + shape.short_axis;
+  // A sum is not finite if one of its terms is not.
+  const Vector3d sum_of_vectors =
+      shape.normal + shape.center + shape.long_axis + shape.short_axis;
   const double sum = shape.length + shape.width + shape.area + shape.slope +
                      shape.middle + shape.low + shape.high;
-  if (!all.allFinite() || !std::isfinite (sum))
+  if (!sum_of_vectors.allFinite() || !std::isfinite (sum))
     throw std::invalid_argument ("planes and their extents must be finite in meters");
 }
 
@@ -164,38 +168,40 @@ const PlaneShape*
 leaningGround (const std::vector<PlaneShape>& shapes)
 {
   const PlaneShape* ground = nullptr;
-  double most_seen = constants.min_sight_of_leaning_ground;
+  double largest_solid_angle = constants.min_solid_angle_of_leaning_ground;
   for (const PlaneShape& shape : shapes) {
     const bool may_be_ground = shape.sight.is_below &&
                                shape.slope <= constants.max_lean &&
                                shape.area >= constants.min_area_of_leaning_ground;
-    if (may_be_ground && shape.sight.solid_angle > most_seen) {
-      most_seen = shape.sight.solid_angle;
+    if (may_be_ground && shape.sight.solid_angle > largest_solid_angle) {
+      largest_solid_angle = shape.sight.solid_angle;
       ground = &shape;
     }
   }
   if (ground == nullptr || ground->slope < constants.min_lean)
     return nullptr;
-  const auto is_level = [&] (const PlaneShape& shape) {
-    return shape.slope <= constants.max_slope_of_level * ground->slope &&
-           shape.sight.solid_angle >= constants.min_sight_of_level * most_seen;
+  const auto shows_no_lean = [&] (const PlaneShape& shape) {
+    return shape.slope <= constants.max_slope_share_of_level_plane * ground->slope &&
+           shape.sight.solid_angle >=
+               constants.min_solid_angle_share_of_level_plane * largest_solid_angle;
   };
-  return std::any_of (shapes.begin(), shapes.end(), is_level) ? nullptr : ground;
+  return std::any_of (shapes.begin(), shapes.end(), shows_no_lean) ? nullptr : ground;
 }
 
-/** \brief Returns the height of the lowest shape with an area of min_area_of_depth or
- * more; if all shapes are smaller, of the lowest one; 0 without shapes [m]. */
+/** \brief Returns the height of the lowest shape with an area of
+ * min_area_of_lowest_plane or more; if all shapes are smaller, of the lowest one; 0
+ * without shapes [m]. */
 double
 lowestHeight (const std::vector<PlaneShape>& shapes)
 {
-  // A long road falls by more than a step: its lower end is no deeper floor, so that
-  // the middle counts.
+  // A long road may slope by more than a step, but its lower end is no lower floor: the
+  // middle of horizontal planes counts.
   const auto bottom = [] (const PlaneShape& shape) {
     return shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
   };
   const auto comes_before = [&] (const PlaneShape& a, const PlaneShape& b) {
-    const bool is_small_a = a.area < constants.min_area_of_depth;
-    const bool is_small_b = b.area < constants.min_area_of_depth;
+    const bool is_small_a = a.area < constants.min_area_of_lowest_plane;
+    const bool is_small_b = b.area < constants.min_area_of_lowest_plane;
     return is_small_a != is_small_b ? is_small_b : bottom (a) < bottom (b);
   };
   const auto lowest = std::min_element (shapes.begin(), shapes.end(), comes_before);
@@ -206,16 +212,16 @@ lowestHeight (const std::vector<PlaneShape>& shapes)
 std::vector<Story>
 storiesIn (const std::vector<PlaneShape>& shapes)
 {
-  std::vector<LevelPlane> level;
+  std::vector<LevelPlane> level_planes;
   for (const PlaneShape& shape : shapes)
     if (shape.orientation == Orientation::Horizontal)
-      level.push_back (
+      level_planes.push_back (
           {shape.middle, shape.area, shape.faces_down, shape.sight.is_below});
-  return storiesOf (levelsOf (std::move (level)), lowestHeight (shapes));
+  return storiesOf (levelsOf (std::move (level_planes)), lowestHeight (shapes));
 }
 
-/** \brief Returns whether the projection of a point onto a plane is in its rectangle.
- */
+/** \brief Returns whether the projection of a point onto a plane is in the rectangle
+ * around the outline of the plane. */
 bool
 isInRectangle (const PlaneShape& shape, const Vector3d& point)
 {
@@ -230,8 +236,8 @@ isInRectangle (const PlaneShape& shape, const Vector3d& point)
 bool
 standsBefore (const PlaneShape& front, const PlaneShape& wall)
 {
-  constexpr int steps = constants.front_samples;
-  constexpr double share = 0.5 * constants.sampled_share_of_front;
+  constexpr int steps = constants.steps_to_side_of_front;
+  constexpr double half_share = 0.5 * constants.sampled_share_of_front;
   const double cosine = front.normal.dot (wall.normal);
   if (cosine < constants.min_cosine_of_front || wall.area <= front.area ||
       wall.high < front.high)
@@ -241,8 +247,8 @@ standsBefore (const PlaneShape& front, const PlaneShape& wall)
   for (int i = -steps; i <= steps; ++i)
     for (int j = -steps; j <= steps; ++j) {
       const Vector3d sample = front.center +
-                              share * front.length * i / steps * front.long_axis +
-                              share * front.width * j / steps * front.short_axis;
+                              half_share * front.length * i / steps * front.long_axis +
+                              half_share * front.width * j / steps * front.short_axis;
       const double distance = wall.normal.dot (sample - wall.center);
       const bool is_before = distance >= constants.min_before_wall &&
                              distance <= constants.max_before_wall &&
@@ -261,11 +267,13 @@ isWall (const PlaneShape& shape,
         const std::vector<Story>& stories)
 {
   const double rise = shape.high - shape.low;
-  for (const Story& story : stories)
-    if (story.ceiling && rise >= constants.min_height_at_ceiling &&
-        shape.high >= *story.ceiling - constants.max_gap_above_wall &&
-        shape.low <= *story.ceiling - constants.min_height_at_ceiling)
-      return true;
+  const auto is_reached_ceiling = [&] (const Story& story) {
+    return story.ceiling && rise >= constants.min_height_at_ceiling &&
+           shape.high >= *story.ceiling - constants.max_gap_above_wall &&
+           shape.low <= *story.ceiling - constants.min_height_at_ceiling;
+  };
+  if (std::any_of (stories.begin(), stories.end(), is_reached_ceiling))
+    return true;
   if (rise < constants.min_wall_height || shape.span() < constants.min_wall_width)
     return false;
   return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& other) {
@@ -273,14 +281,14 @@ isWall (const PlaneShape& shape,
   });
 }
 
-/** \brief Returns whether an upper floor at this height is a roof: no vertical plane
- * rises from it. */
+/** \brief Returns whether an upper floor at a height [m] is a roof: no vertical plane
+ * rises from it by headroom. */
 bool
 isRoofAt (double height, const std::vector<PlaneShape>& shapes)
 {
   return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& shape) {
     return shape.orientation == Orientation::Vertical &&
-           shape.low <= height + constants.step &&
+           shape.low <= height + constants.max_step &&
            shape.high >= height + constants.headroom;
   });
 }
@@ -305,7 +313,8 @@ isCeiling (const PlaneShape& shape, const Story& story)
   return shape.area >= constants.min_area_of_ceiling_part && drop <= max_drop;
 }
 
-/** \param[in] rise height over the floor */
+/** \brief Returns whether a horizontal plane is a table.
+ * \param[in] rise its height over the floor [m] */
 bool
 isTable (const PlaneShape& shape, double rise)
 {
@@ -334,17 +343,16 @@ isSlopingRoof (const PlaneShape& shape, const Story& story)
           shape.high >= *story.ceiling - constants.max_gap_above_wall);
 }
 
-/** \brief Returns the kind of a horizontal plane. */
 PlaneKind
-levelKind (const PlaneShape& shape,
-           const std::vector<PlaneShape>& shapes,
-           const std::vector<Story>& stories)
+kindOfHorizontal (const PlaneShape& shape,
+                  const std::vector<PlaneShape>& shapes,
+                  const std::vector<Story>& stories)
 {
   const Story& story = storyAt (stories, shape.middle);
   const double rise = shape.middle - story.floor;
   const bool is_at_floor =
       rise < constants.same_floor ||
-      (rise < constants.step && shape.area >= constants.min_step_area);
+      (rise < constants.max_step && shape.area >= constants.min_step_area);
   if (is_at_floor) {
     const bool is_upper = &story != &stories.front();
     return is_upper && isRoofAt (story.floor, shapes) ? PlaneKind::Roof
@@ -352,11 +360,12 @@ levelKind (const PlaneShape& shape,
   }
   if (isCeiling (shape, story))
     return PlaneKind::Ceiling;
+  // Up to the angle tolerance a horizontal plane may slope as a ramp does.
   if (isRamp (shape, story))
     return PlaneKind::Ramp;
   if (isTable (shape, rise))
     return PlaneKind::Table;
-  if (rise < constants.step || shape.area < constants.min_slab_area)
+  if (rise < constants.max_step || shape.area < constants.min_slab_area)
     return PlaneKind::Other;
   const bool is_higher_ground = shape.sight.is_below &&
                                 shape.area >= constants.min_ground_area &&
@@ -374,7 +383,7 @@ kindOf (const PlaneShape& shape,
         const std::vector<Story>& stories)
 {
   if (shape.orientation == Orientation::Horizontal)
-    return levelKind (shape, shapes, stories);
+    return kindOfHorizontal (shape, shapes, stories);
   if (shape.orientation == Orientation::Vertical)
     return isWall (shape, shapes, stories) ? PlaneKind::Wall : PlaneKind::Other;
   const Story& story = storyAt (stories, shape.low);
@@ -383,8 +392,8 @@ kindOf (const PlaneShape& shape,
   return isSlopingRoof (shape, story) ? PlaneKind::Roof : PlaneKind::Other;
 }
 
-/** \brief Returns whether the rms distance of a plane is too large for a part of a
- * building, as that of a hillside is. */
+/** \brief Returns whether the rms distance of the points of a plane to it is too large
+ * for a part of a building, as that of a hillside is. */
 bool
 hasRelief (const PlaneSegment& plane, double meter)
 {
@@ -393,8 +402,8 @@ hasRelief (const PlaneSegment& plane, double meter)
          (plane.noise && rms > constants.max_noises_of_roof * *plane.noise);
 }
 
-/** \brief Returns all planes in a frame whose z is up [m]. Planes steeper than
- * min_cosine_from_above get no outline. */
+/** \brief Returns all planes in a frame whose z is up [m]. Planes steeper than 60
+ * degrees (min_cosine_from_above) get no outline. */
 std::vector<PlaneFromAbove>
 planesFromAbove (const Scene& scene,
                  const std::vector<PlaneExtent>& extents,
@@ -439,8 +448,9 @@ isGround (const PlaneShape& level,
           const std::vector<PlaneFromAbove>& all,
           const std::vector<PlaneShape>& shapes)
 {
-  // The smallest height over the floor: of a platform for a slab, else of a ceiling.
-  const double min_drop = kind == PlaneKind::Slab ? constants.step : constants.headroom;
+  // A slab may be a platform a step above the ground, a ceiling is headroom above it.
+  const double min_drop =
+      kind == PlaneKind::Slab ? constants.max_step : constants.headroom;
   return isLowest (from_above, all, min_drop) && !hasWallsBelow (level, shapes);
 }
 
@@ -467,8 +477,8 @@ nameGround (const std::vector<PlaneSegment>& planes,
 }
 
 /** \brief Changes roofs that are hillsides to Other. Walls are not tested: in depth
- * images they bend by as much, so that the test would leave .17 of the walls of 20
- * rooms. */
+ * images they bend by as much as hillsides, so that only 17 % of the walls of 20 rooms
+ * would remain walls. */
 void
 excludeHills (const std::vector<PlaneSegment>& planes,
               const std::vector<PlaneFromAbove>& from_above,
@@ -481,7 +491,8 @@ excludeHills (const std::vector<PlaneSegment>& planes,
       kinds[i] = PlaneKind::Other;
 }
 
-/** \brief Returns whether a vertical plane lies in the plane of a wall. */
+/** \brief Returns whether a vertical plane lies in the plane of a wall and faces the
+ * same way. */
 bool
 isPartOfWall (const PlaneShape& part, const PlaneShape& wall)
 {
@@ -490,16 +501,16 @@ isPartOfWall (const PlaneShape& part, const PlaneShape& wall)
              constants.max_off_wall;
 }
 
-/** \brief Changes vertical planes in the plane of a wall to Wall: they may be parts too
- * small for isWall. */
+/** \brief Changes vertical planes in the plane of a wall to Wall: parts of a wall may
+ * be too small for \ref isWall. Planes named here do not make walls of others. */
 void
 nameWallParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
 {
-  const std::vector<PlaneKind> before = kinds;
+  const std::vector<PlaneKind> given_kinds = kinds;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (std::size_t j = 0; j < shapes.size(); ++j)
       if (shapes[i].orientation == Orientation::Vertical &&
-          before[j] == PlaneKind::Wall && isPartOfWall (shapes[i], shapes[j]))
+          given_kinds[j] == PlaneKind::Wall && isPartOfWall (shapes[i], shapes[j]))
         kinds[i] = PlaneKind::Wall;
 }
 
@@ -520,8 +531,9 @@ checkArguments (const std::vector<PlaneSegment>& planes,
     throw std::invalid_argument ("the viewpoint must be finite");
 }
 
-/** \brief Returns the shapes with heights along \p up, or along the ground's normal if
- * the sensor leans.
+/** \brief Returns the shapes with heights along \p up, or along the normal of the
+ * ground if the sensor leans. Then the orientations are named anew, with the default
+ * tolerance of the detectors.
  * \param[in] up unit vector */
 Scene
 uprightScene (const std::vector<PlaneSegment>& planes,

@@ -17,11 +17,11 @@ namespace {
 using namespace internal::buildings;
 using Eigen::Vector3d;
 
-/** \brief Nearly parallel planes with their common direction and number of points. */
+/** \brief Nearly parallel planes and the direction of their normals. */
 struct DirectionGroup {
-  Vector3d direction;
-  double points = 0.0;
-  /** \brief Indices of the planes in the list of planes. */
+  Vector3d direction;  // unit vector
+  double points = 0.0; // number of points of all planes
+  /** \brief Indices of the planes in the list of planes, the largest plane first. */
   std::vector<std::size_t> members = {};
 };
 
@@ -44,8 +44,9 @@ largestFirst (const std::vector<PlaneSegment>& planes)
   return order;
 }
 
-/** \brief Returns the mean direction of normals of any sign: the eigenvector with the
- * largest sum of squared cosines to them, weighted by points. */
+/** \brief Returns the mean direction of the normals of planes, whatever their signs:
+ * the unit vector with the largest sum of squared cosines to them, weighted by points.
+ * It points to the side of the normal of the first member. */
 Vector3d
 meanDirection (const std::vector<PlaneSegment>& planes,
                const std::vector<std::size_t>& members)
@@ -53,6 +54,7 @@ meanDirection (const std::vector<PlaneSegment>& planes,
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const std::size_t i : members)
     sum += planes[i].moments.count * planes[i].normal * planes[i].normal.transpose();
+  // The last eigenvector is that of the largest eigenvalue.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (sum);
   return towards (axes.eigenvectors().col (2), planes[members.front()].normal);
 }
@@ -67,15 +69,15 @@ parallelGroups (const std::vector<PlaneSegment>& planes,
 {
   std::vector<DirectionGroup> groups;
   for (const std::size_t i : order) {
-    const auto group =
+    const auto found =
         std::find_if (groups.begin(), groups.end(), [&] (const DirectionGroup& known) {
           return angleBetween (planes[i], planes[known.members.front()]) <= max_angle;
         });
-    DirectionGroup& group_of_plane =
-        group == groups.end() ? groups.emplace_back (DirectionGroup{planes[i].normal})
-                              : *group;
-    group_of_plane.members.push_back (i);
-    group_of_plane.points += planes[i].moments.count;
+    DirectionGroup& group = found == groups.end()
+                                ? groups.emplace_back (DirectionGroup{planes[i].normal})
+                                : *found;
+    group.members.push_back (i);
+    group.points += planes[i].moments.count;
   }
   for (DirectionGroup& group : groups)
     group.direction = meanDirection (planes, group.members);
@@ -85,24 +87,28 @@ parallelGroups (const std::vector<PlaneSegment>& planes,
   return groups;
 }
 
-/** \brief Cosines and sines of angles that count as exactly 90 or 0 degrees. */
-constexpr double exact = 1e-9;
+/** \brief Largest cosine of directions that count as orthogonal, and largest sine of
+ * directions that count as parallel, but for rounding. */
+constexpr double rounding = 1e-9;
 
-/** \brief Makes each direction orthogonal to that of a larger group: of the largest one
- * to which it is orthogonal within \p max_angle. If a second such group is orthogonal
- * to the first one, the direction becomes the cross product of both directions. */
+/** \brief Makes the direction of each group orthogonal to that of a larger group: of
+ * the largest one to which it is orthogonal within \p max_angle [rad]. If a second such
+ * group is orthogonal to the first one, the direction becomes the cross product of both
+ * directions.
+ * \param[in,out] groups the group with most points first */
 void
 makeOrthogonal (std::vector<DirectionGroup>& groups, double max_angle)
 {
   for (std::size_t i = 1; i < groups.size(); ++i) {
-    std::vector<Vector3d> across; // directions of larger groups, at most two
+    // Directions of larger groups to which this one becomes orthogonal, at most two.
+    std::vector<Vector3d> across;
     for (std::size_t j = 0; j < i && across.size() < 2; ++j) {
       const Vector3d& larger = groups[j].direction;
       const double cosine = std::abs (groups[i].direction.dot (larger));
       const bool is_nearly_across = std::asin (std::min (1.0, cosine)) <= max_angle;
-      const bool is_across_first =
-          across.empty() || std::abs (across[0].dot (larger)) <= exact;
-      if (is_nearly_across && is_across_first)
+      const bool agrees_with_first =
+          across.empty() || std::abs (across[0].dot (larger)) <= rounding;
+      if (is_nearly_across && agrees_with_first)
         across.push_back (larger);
     }
     Vector3d& direction = groups[i].direction;
@@ -113,8 +119,8 @@ makeOrthogonal (std::vector<DirectionGroup>& groups, double max_angle)
   }
 }
 
-/** \brief Joins groups whose directions became equal in makeOrthogonal. Numbers of
- * points are no longer needed, and stay those of the first group. */
+/** \brief Joins groups whose directions became equal in \ref makeOrthogonal.
+ * DirectionGroup::points stays that of the first group; it is not used any more. */
 void
 joinEqualDirections (std::vector<DirectionGroup>& groups)
 {
@@ -122,7 +128,7 @@ joinEqualDirections (std::vector<DirectionGroup>& groups)
   for (const DirectionGroup& group : groups) {
     const auto equal =
         std::find_if (joined.begin(), joined.end(), [&] (const DirectionGroup& known) {
-          return known.direction.cross (group.direction).norm() <= exact;
+          return known.direction.cross (group.direction).norm() <= rounding;
         });
     if (equal == joined.end()) {
       joined.push_back (group);
@@ -142,37 +148,42 @@ moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
   PlaneMove move;
   move.angle = slopeOf (plane.normal, normal);
   move.offset = offset;
-  // The change of a point's distance to the plane is linear in its position.
+  // The distance of a point p to the plane changes by turn . (p - centroid) - offset,
+  // which is linear in p: its mean is that at the mean of the points, and its variance
+  // is turn^T covariance turn.
   const Vector3d turn = normal - plane.normal;
   const Vector3d mean = plane.moments.centroid() - plane.centroid;
-  const double displacement_of_mean = turn.dot (mean) - offset;
-  const double spread = turn.dot (plane.moments.covariance() * turn);
-  const double squared_displacement =
-      displacement_of_mean * displacement_of_mean + std::max (0.0, spread);
-  if (squared_displacement > 0.0)
+  const double mean_change = turn.dot (mean) - offset;
+  const double variance_of_change = turn.dot (plane.moments.covariance() * turn);
+  const double mean_squared_change =
+      mean_change * mean_change + std::max (0.0, variance_of_change);
+  if (mean_squared_change > 0.0)
     move.displacement =
-        std::sqrt (squared_displacement) / plane.rms(); // infinite for rms 0
+        std::sqrt (mean_squared_change) / plane.rms(); // infinite for rms 0
   return move;
 }
 
-/** \brief Returns whether a move is more than rounding of a plane that stays. */
+/** \brief Returns whether a move is larger than rounding errors. */
 bool
 isMove (const PlaneMove& move, const PlaneSegment& plane)
 {
-  constexpr double rounding = 1e-9; // in radians, and in units of the size
+  constexpr double max_angle_of_rounding = 1e-9;  // [rad]
+  constexpr double max_offset_of_rounding = 1e-9; // in units of the size of the plane
   const double size = std::sqrt (plane.moments.covariance().trace());
-  return move.angle > rounding || std::abs (move.offset) > rounding * size;
+  return move.angle > max_angle_of_rounding ||
+         std::abs (move.offset) > max_offset_of_rounding * size;
 }
 
-/** \brief Groups planes by direction and moves them. Directions and levels of planes
- * share one sequence of numbers. */
+/** \brief Groups planes by direction and moves them. PlaneMove::direction and
+ * PlaneMove::level of all planes are numbers of one sequence. A level is a set of
+ * planes of one group that become coplanar. */
 class Regularization {
 public:
   Regularization (const std::vector<PlaneSegment>& planes,
                   const PlaneRegularizationParameters& parameters)
   : planes_ (planes)
   , parameters_ (parameters)
-  , found_{planes, std::vector<PlaneMove> (planes.size())}
+  , result_{planes, std::vector<PlaneMove> (planes.size())}
   {}
 
   RegularizedPlanes
@@ -180,63 +191,67 @@ public:
   {
     // Planes that would move too far do not count for the directions of others: the
     // groups are made again until no plane is left out.
-    std::vector<std::size_t> members = largestFirst (planes_);
+    std::vector<std::size_t> kept = largestFirst (planes_); // indices of planes
     std::vector<DirectionGroup> groups;
-    std::size_t previous_members = members.size() + 1;
-    while (members.size() < previous_members) {
-      previous_members = members.size();
-      groups = parallelGroups (planes_, members, parameters_.max_angle);
+    std::size_t previously_kept = kept.size() + 1;
+    while (kept.size() < previously_kept) {
+      previously_kept = kept.size();
+      groups = parallelGroups (planes_, kept, parameters_.max_angle);
       makeOrthogonal (groups, parameters_.max_angle);
       joinEqualDirections (groups);
-      members = withoutFarthest (groups, members);
+      kept = withoutFarthest (groups, kept);
     }
     for (const DirectionGroup& group : groups)
       alignGroup (group);
     for (std::size_t i = 0; i < planes_.size(); ++i)
-      if (!is_done_[i]) { // it stays; displacement tells how far it would have moved
-        found_.moves[i].angle = 0.0;
-        found_.moves[i].offset = 0.0;
-        found_.moves[i].direction = next_number_;
-        found_.moves[i].level = next_number_;
+      if (!is_aligned_[i]) { // it stays; displacement tells how far it would have moved
+        result_.moves[i].angle = 0.0;
+        result_.moves[i].offset = 0.0;
+        result_.moves[i].direction = next_number_;
+        result_.moves[i].level = next_number_;
         ++next_number_;
       }
-    return std::move (found_);
+    return std::move (result_);
   }
 
 private:
+  /** \brief Returns whether a move is not too far. */
   bool
   isAllowed (const PlaneMove& move) const
   {
     return move.displacement <= parameters_.max_displacement;
   }
 
-  /** \brief Returns the members without, for each group, the plane that moves farthest
-   * if that is too far. Without this plane the others may move less. */
+  /** \brief Returns the planes without, for each group, the plane that would move
+   * farthest if that is too far: without this plane the others may move less. Sets
+   * result_.moves to the rotations alone, without offsets.
+   * \param[in] grouped indices of the planes of all groups */
   std::vector<std::size_t>
   withoutFarthest (const std::vector<DirectionGroup>& groups,
-                   const std::vector<std::size_t>& members)
+                   const std::vector<std::size_t>& grouped)
   {
     std::vector<char> is_left_out (planes_.size(), 0);
     for (const DirectionGroup& group : groups) {
       for (const std::size_t i : group.members)
-        found_.moves[i] =
+        result_.moves[i] =
             moveTo (planes_[i], towards (group.direction, planes_[i].normal), 0.0);
       const std::size_t farthest = *std::max_element (
           group.members.begin(),
           group.members.end(),
           [&] (std::size_t a, std::size_t b) {
-            return found_.moves[a].displacement < found_.moves[b].displacement;
+            return result_.moves[a].displacement < result_.moves[b].displacement;
           });
-      is_left_out[farthest] = isAllowed (found_.moves[farthest]) ? 0 : 1;
+      is_left_out[farthest] = isAllowed (result_.moves[farthest]) ? 0 : 1;
     }
     std::vector<std::size_t> kept;
-    for (const std::size_t i : members)
+    for (const std::size_t i : grouped)
       if (!is_left_out[i])
         kept.push_back (i);
     return kept;
   }
 
-  /** \brief Returns the position of a plane along the direction of its group. */
+  /** \brief Returns the position of plane \p i along the direction of its group, from
+   * the centroid of the largest plane of the group [m]. */
   double
   positionOf (std::size_t i, const DirectionGroup& group) const
   {
@@ -244,17 +259,19 @@ private:
     return group.direction.dot (planes_[i].centroid - origin);
   }
 
-  /** \brief Returns the largest distance of two parallel planes that are coplanar. */
+  /** \brief Returns the largest distance of two parallel planes that become coplanar
+   * [m].
+   */
   double
   maxOffset (std::size_t first, std::size_t second) const
   {
     return parameters_.max_offset.value_or (
-        constants.noises_of_offset *
+        constants.rms_of_offset *
         std::hypot (planes_[first].rms(), planes_[second].rms()));
   }
 
-  /** \brief Gives the planes of a group its direction as normal, and planes of one
-   * level a common offset. */
+  /** \brief Gives the planes of a group its direction as normal, and the planes of each
+   * level a common position along it. */
   void
   alignGroup (const DirectionGroup& group)
   {
@@ -267,7 +284,7 @@ private:
     for (std::size_t first = 0, next = 0; first < members.size(); first = next) {
       std::vector<std::size_t> level;
       while (next < members.size() &&
-             (level.empty() || areLevel (level, members[next], group)))
+             (level.empty() || isOnLevel (members[next], level, group)))
         level.push_back (members[next++]);
       moveLevel (level, group, direction_number);
     }
@@ -276,9 +293,9 @@ private:
   /** \brief Returns whether a plane is within maxOffset of all planes of a level. The
    * nearest one does not suffice: levels would grow from plane to plane. */
   bool
-  areLevel (const std::vector<std::size_t>& level,
-            std::size_t plane,
-            const DirectionGroup& group) const
+  isOnLevel (std::size_t plane,
+             const std::vector<std::size_t>& level,
+             const DirectionGroup& group) const
   {
     return std::all_of (level.begin(), level.end(), [&] (std::size_t other) {
       return std::abs (positionOf (plane, group) - positionOf (other, group)) <=
@@ -313,17 +330,17 @@ private:
       }
       move.direction = direction_number;
       move.is_moved = isMove (move, planes_[i]);
-      found_.planes[i].normal = normal;
-      found_.planes[i].centroid += move.offset * normal;
-      found_.moves[i] = move;
-      is_done_[i] = 1;
+      result_.planes[i].normal = normal;
+      result_.planes[i].centroid += move.offset * normal;
+      result_.moves[i] = move;
+      is_aligned_[i] = 1;
     }
   }
 
   const std::vector<PlaneSegment>& planes_;
   const PlaneRegularizationParameters& parameters_;
-  RegularizedPlanes found_;
-  std::vector<char> is_done_ = std::vector<char> (planes_.size(), 0);
+  RegularizedPlanes result_;
+  std::vector<char> is_aligned_ = std::vector<char> (planes_.size(), 0);
   std::size_t next_number_ = 0;
 };
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <optional>
 
 namespace pcl_ops {
 namespace {
@@ -18,7 +18,8 @@ using Eigen::Vector2d;
 /** \brief Returns the index of the first room on the way away from a wall; nothing if
  * there is no room.
  * \param[in] away unit vector
- * \param[in] nearest, farthest distances from \p on_wall between which to search [m] */
+ * \param[in] nearest, farthest limits of the distances from \p on_wall [m]; the
+ * first step begins at \p nearest */
 std::optional<std::size_t>
 firstRoom (const std::vector<PlanRoom>& rooms,
            const Vector2d& on_wall,
@@ -56,18 +57,17 @@ findRoomsOfOpenings (const std::vector<PlanRoom>& rooms, std::vector<PlanWall>& 
 {
   for (PlanWall& wall : walls) {
     const Vector2d along = (wall.to - wall.from).normalized();
-    const Vector2d front (-along.y(), along.x());
+    const Vector2d to_front (-along.y(), along.x()); // the front is on the left
     // Behind a wall of unknown thickness the search begins at the wall.
     const double thickness = wall.thickness.value_or (0.0);
-    const double farthest =
+    const double farthest_behind =
         wall.thickness ? thickness + constants.max_to_room : constants.max_thickness;
     for (PlanOpening& opening : wall.openings) {
       const Vector2d middle = 0.5 * (opening.from + opening.to);
-      const auto room_towards = [&] (const Vector2d& away, double from, double to) {
-        return firstRoom (rooms, middle, away, from, to);
-      };
-      opening.room_before = room_towards (front, 0.0, constants.max_to_room);
-      opening.room_behind = room_towards (-front, thickness, farthest);
+      opening.room_before =
+          firstRoom (rooms, middle, to_front, 0.0, constants.max_to_room);
+      opening.room_behind =
+          firstRoom (rooms, middle, -to_front, thickness, farthest_behind);
     }
   }
 }
@@ -83,21 +83,21 @@ PlanOpening::isDoor() const
 std::vector<std::size_t>
 FloorPlan::roomsBehindDoorsOf (std::size_t room) const
 {
-  std::vector<std::size_t> beyond;
+  std::vector<std::size_t> neighbors;
   for (const PlanWall& wall : walls)
     for (const PlanOpening& opening : wall.openings) {
-      const auto& [before, behind] =
-          std::tie (opening.room_before, opening.room_behind);
+      const std::optional<std::size_t>& before = opening.room_before;
+      const std::optional<std::size_t>& behind = opening.room_behind;
       if (!opening.isDoor() || !before || !behind || *before == *behind)
         continue;
       if (*before == room)
-        beyond.push_back (*behind);
+        neighbors.push_back (*behind);
       if (*behind == room)
-        beyond.push_back (*before);
+        neighbors.push_back (*before);
     }
-  std::sort (beyond.begin(), beyond.end());
-  beyond.erase (std::unique (beyond.begin(), beyond.end()), beyond.end());
-  return beyond;
+  std::sort (neighbors.begin(), neighbors.end());
+  neighbors.erase (std::unique (neighbors.begin(), neighbors.end()), neighbors.end());
+  return neighbors;
 }
 
 } // namespace pcl_ops

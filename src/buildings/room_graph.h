@@ -13,7 +13,7 @@ namespace pcl_ops::internal::buildings {
 bool
 isInRoom (const PlanRoom& room, const Eigen::Vector2d& position);
 
-/** \brief Sets the indices of the rooms before and behind the wall of each opening. */
+/** \brief Sets room_before and room_behind of each opening of the walls. */
 void
 findRoomsOfOpenings (const std::vector<PlanRoom>& rooms, std::vector<PlanWall>& walls);
 

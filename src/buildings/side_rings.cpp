@@ -18,18 +18,19 @@ using Eigen::Vector2d;
 PlanarPoints
 withoutStraightCorners (const PlanarPoints& ring)
 {
-  constexpr double straight = 1e-5; // sine of the turn
+  constexpr double max_sine_of_no_turn = 1e-5;
   PlanarPoints corners;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vector2d before = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
     const Vector2d after = ring[(i + 1) % ring.size()] - ring[i];
-    if (std::abs (cross (before, after)) > straight * before.norm() * after.norm())
+    if (std::abs (cross (before, after)) >
+        max_sine_of_no_turn * before.norm() * after.norm())
       corners.push_back (ring[i]);
   }
   return corners;
 }
 
-/** \brief Finds sides by their first corner. Each side can be taken once. */
+/** \brief Finds sides by the corner where they begin. Each side can be taken once. */
 class SidesByBegin {
 public:
   explicit SidesByBegin (const std::vector<PlanSide>& sides)
@@ -39,7 +40,8 @@ public:
       by_begin_.emplace (roundedPositionOf (sides[i].from), i);
   }
 
-  /** \return false if the side was taken before */
+  /** \brief Takes the side with index \p side.
+   * \return false if it was taken before */
   bool
   take (std::size_t side)
   {
@@ -49,13 +51,13 @@ public:
     return true;
   }
 
-  /** \brief Returns a side that begins at \p end and was not taken; nothing if there is
-   * none. */
+  /** \brief Returns the index of a side that begins at \p corner and was not taken;
+   * nothing if there is none. */
   std::optional<std::size_t>
-  untakenFrom (const Vector2d& end) const
+  untakenFrom (const Vector2d& corner) const
   {
-    // Coordinates may be rounded apart by one step.
-    const auto [x, y] = roundedPositionOf (end);
+    // The two ends at one corner may be rounded apart by one step in x and in y.
+    const auto [x, y] = roundedPositionOf (corner);
     for (long long dx = -1; dx <= 1; ++dx)
       for (long long dy = -1; dy <= 1; ++dy)
         if (const auto side = untakenAt ({x + dx, y + dy}))
@@ -64,6 +66,7 @@ public:
   }
 
 private:
+  /** \brief x and y in steps of 0.1 mm. */
   using RoundedPosition = std::pair<long long, long long>;
 
   static RoundedPosition
@@ -77,13 +80,15 @@ private:
   untakenAt (const RoundedPosition& position) const
   {
     const auto [first, last] = by_begin_.equal_range (position);
-    for (auto found = first; found != last; ++found)
-      if (is_taken_[found->second] == 0)
-        return found->second;
+    for (auto entry = first; entry != last; ++entry) {
+      const std::size_t side = entry->second;
+      if (is_taken_[side] == 0)
+        return side;
+    }
     return {};
   }
 
-  std::multimap<RoundedPosition, std::size_t> by_begin_;
+  std::multimap<RoundedPosition, std::size_t> by_begin_; // indices of sides
   std::vector<char> is_taken_;
 };
 
@@ -92,12 +97,12 @@ private:
 PlanarRings
 ringsOf (const std::vector<PlanSide>& sides)
 {
-  SidesByBegin left (sides);
+  SidesByBegin untaken (sides);
   PlanarRings rings;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     PlanarPoints ring;
-    for (std::optional<std::size_t> side = i; side && left.take (*side);
-         side = left.untakenFrom (sides[*side].to))
+    for (std::optional<std::size_t> side = i; side && untaken.take (*side);
+         side = untaken.untakenFrom (sides[*side].to))
       ring.push_back (sides[*side].from);
     if (PlanarPoints corners = withoutStraightCorners (ring); corners.size() >= 3)
       rings.push_back (std::move (corners));

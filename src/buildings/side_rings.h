@@ -9,9 +9,11 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A side of a cell, with the index of its line; no_line at the rim. */
+/** \brief A side of a cell of a plan, from one corner to the next [m]. */
 struct PlanSide {
   Eigen::Vector2d from, to;
+  /** \brief Index of its line in the list of lines; no_line (plan_cells.h) at the rim
+   * of the plan. */
   std::size_t line;
 
   double
@@ -21,9 +23,9 @@ struct PlanSide {
   }
 };
 
-/** \brief Joins sides end to end to rings; ends up to 0.1 mm apart are one corner.
- * Corners at which a ring does not turn are left out, then rings with fewer than 3
- * corners. */
+/** \brief Joins sides to rings: each side of a ring begins where the side before it
+ * ends. Ends up to about 0.1 mm apart are one corner. Corners at which a ring does not
+ * turn are left out, then rings with fewer than 3 corners. */
 PlanarRings
 ringsOf (const std::vector<PlanSide>& sides);
 

@@ -20,26 +20,29 @@ largeLevels (const std::vector<Level>& levels)
     largest = std::max (largest, level.area);
   std::vector<Level> large;
   for (const Level& level : levels)
-    if (level.area >=
-        std::max (constants.min_level_area, constants.min_level_share * largest))
+    if (level.area >= std::max (constants.min_level_area,
+                                constants.min_share_of_largest_level * largest))
       large.push_back (level);
   return large;
 }
 
 /** \brief Adds a level that was not seen from below: as the ceiling of the last story
- * or as the floor of a new one. A small highest level may be ignored.
+ * or as the floor of a new one. A highest level too small for a ceiling is ignored if
+ * the last story has no ceiling.
  * \param[in] next the next large level above; nullptr for the highest level */
 void
 addUpperLevel (const Level& level, const Level* next, std::vector<Story>& stories)
 {
   Story& story = stories.back();
-  const bool is_top = next == nullptr;
+  const bool is_highest = next == nullptr;
   // A floor follows closely above: both are the two sides of one deck.
-  const bool is_deck =
-      !is_top && !next->faces_down && next->height - level.height <= constants.max_deck;
-  const bool may_be_ceiling = !level.is_below_sensor && (is_top || is_deck);
-  if (is_top && !story.ceiling &&
-      level.area < constants.min_cover_of_floor * story.area)
+  const bool is_underside_of_deck =
+      !is_highest && !next->faces_down &&
+      next->height - level.height <= constants.max_deck_thickness;
+  const bool may_be_ceiling =
+      !level.is_below_sensor && (is_highest || is_underside_of_deck);
+  if (is_highest && !story.ceiling &&
+      level.area < constants.min_ceiling_share_of_floor * story.area)
     return;
   if (may_be_ceiling && !story.ceiling)
     story.ceiling = level.height;
@@ -87,9 +90,9 @@ storiesOf (const std::vector<Level>& levels, double lowest)
     const Level& level = large[i];
     Story& story = stories.back();
     const double rise = level.height - story.floor;
-    // So large a level is the ground even if the foot of a wall or a ditch is deeper.
+    // So large a level is the ground even if the foot of a wall or a ditch is lower.
     const bool is_ground = level.area >= constants.min_ground_area;
-    const double max_rise = is_ground ? constants.headroom : constants.step;
+    const double max_rise = is_ground ? constants.headroom : constants.max_step;
     const bool may_be_first_floor =
         rise < max_rise || (is_ground && level.is_below_sensor);
     if (i == 0 && !level.faces_down && may_be_first_floor)

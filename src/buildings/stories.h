@@ -7,8 +7,8 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A level plane: its height [m], its area [m^2] and the side it was seen from.
- */
+/** \brief A level plane: the height of its middle [m], its area [m^2] and the side it
+ * was seen from. */
 struct LevelPlane {
   double height, area;
   /** \brief Whether it was seen from below. */
@@ -17,9 +17,9 @@ struct LevelPlane {
   bool is_below_sensor = false;
 };
 
-/** \brief Level planes at most same_level above the lowest of them: their mean height,
- * weighted by area, and total area. Each flag is set if it is set for planes with
- * more than half of the area. */
+/** \brief Level planes at most same_level (constants.h) above the lowest of them: their
+ * mean height [m], weighted by area, and their total area [m^2]. Each flag is set if it
+ * is set for planes with more than half of the area. */
 struct Level {
   double height, area;
   bool faces_down;
@@ -34,25 +34,25 @@ struct Story {
   double area = 0.0;
 };
 
-/** \brief Groups level planes that are at most same_level above the lowest one of their
- * group; returns levels ascending. */
+/** \brief Groups level planes into levels; returns the levels by ascending height. */
 std::vector<Level>
 levelsOf (std::vector<LevelPlane> planes);
 
 /** \brief Returns the stories from the lowest up, at least one. Levels smaller than
- * min_level_area or min_level_share are ignored. The lowest remaining level is the
- * first floor if it was not seen from below and is less than a step above \p lowest. If
- * it is larger than furniture (min_ground_area), it may be up to headroom above
- * \p lowest, or higher if it is below the sensor. A level below the sensor is no
- * ceiling. All names are those of constants.h.
+ * min_level_area, or than min_share_of_largest_level of the largest one, are ignored.
+ * The lowest other level is the first floor if it was not seen from below and is less
+ * than max_step above \p lowest. If it is larger than furniture (min_ground_area), it
+ * may be up to headroom above \p lowest, or higher if it is below the sensor. A level
+ * below the sensor is no ceiling. All names are those of constants.h.
  * \param[in] levels ascending
- * \param[in] lowest height of the lowest plane [m]: the floor of the first story if no
- * floor was seen. Of level planes the height of their middle counts */
+ * \param[in] lowest height of the lowest plane [m], of its middle if it is level: the
+ * floor of the first story if no floor was seen */
 std::vector<Story>
 storiesOf (const std::vector<Level>& levels, double lowest);
 
-/** \brief Returns the story that a height belongs to: the highest one whose floor is
- * not above \p height + same_level, or else the first. */
+/** \brief Returns the story that a height [m] belongs to: the highest one whose floor
+ * is not above \p height + same_level, or else the first.
+ * \param[in] stories at least one, from the lowest up */
 const Story&
 storyAt (const std::vector<Story>& stories, double height);
 

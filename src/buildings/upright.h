@@ -6,8 +6,8 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Returns the smallest rotation that turns \p up, of any length but 0, to the
- * z axis; the identity if \p up is along z.
+/** \brief Returns the smallest rotation that turns the direction \p up to that of +z;
+ * the identity if \p up is along +z.
  *
  * With the unit vector up = (a, b, c), as the axis of the rotation is perpendicular to
  * up and z:
@@ -18,14 +18,15 @@ namespace pcl_ops::internal::buildings {
  *
  * For up = -z the smallest rotation is not unique. If up is nearly -z, half a turn
  * about x comes first. Eigen's Quaternion::FromTwoVectors does the same, but takes 6
- * seconds to compile. */
+ * seconds to compile.
+ * \param[in] up of any length but 0 */
 inline Eigen::Matrix3d
 turnUpright (const Eigen::Vector3d& up)
 {
-  constexpr double least_cosine = -0.99; // below it 1 + c has lost two digits
+  constexpr double smallest_cosine = -0.99; // at less, 1 + c loses over two digits
   const Eigen::Vector3d half_turn (1.0, -1.0, -1.0);
   const Eigen::Vector3d axis = up.stableNormalized();
-  if (axis.z() < least_cosine)
+  if (axis.z() < smallest_cosine)
     return turnUpright (half_turn.cwiseProduct (axis)) * half_turn.asDiagonal();
   const double a = axis.x();
   const double b = axis.y();

@@ -11,32 +11,39 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
+/** \brief A square of a grid on a face, by column along the line and row upwards. */
+using FaceSquare = std::pair<long, long>;
+
 /** \brief Returns the mean distance between neighboring points of a face [m]: the root
- * of area / points, with the area of the cells of a coarse grid that have points. */
+ * of area / number of points. The area is that of the squares of a coarse grid that
+ * have points. */
 double
 spacingOf (const std::vector<FacePoint>& points)
 {
-  std::vector<std::pair<long, long>> cells;
+  std::vector<FaceSquare> squares;
   for (const FacePoint& point : points)
-    cells.emplace_back (std::lround (point.position / constants.edge_of_spacing_cell),
-                        std::lround (point.height / constants.edge_of_spacing_cell));
-  std::sort (cells.begin(), cells.end());
-  cells.erase (std::unique (cells.begin(), cells.end()), cells.end());
-  const double area = constants.edge_of_spacing_cell * constants.edge_of_spacing_cell *
-                      static_cast<double> (cells.size());
+    squares.emplace_back (
+        std::lround (point.position / constants.edge_of_spacing_square),
+        std::lround (point.height / constants.edge_of_spacing_square));
+  std::sort (squares.begin(), squares.end());
+  squares.erase (std::unique (squares.begin(), squares.end()), squares.end());
+  const double area = constants.edge_of_spacing_square *
+                      constants.edge_of_spacing_square *
+                      static_cast<double> (squares.size());
   return std::sqrt (area /
                     static_cast<double> (std::max<std::size_t> (1, points.size())));
 }
 
-/** \brief Whether two faces are parallel and have their fronts on the same side. The
- * two sides of a wall do not. */
+/** \brief Returns whether two faces are parallel and have their fronts on the same
+ * side, unlike the two sides of a wall. */
 bool
 facesSameWay (const WallFace& first, const WallFace& second)
 {
   return first.line.along.dot (second.line.along) >= constants.min_cosine_of_parallel;
 }
 
-/** \brief Returns intervals of a face as intervals of another line. */
+/** \brief Returns intervals of the line of a face as intervals of another line.
+ * \param[in] line the other line; it runs nearly the same way */
 Intervals
 onLine (const PlanLine& line, const WallFace& face, const Intervals& intervals)
 {
@@ -47,7 +54,7 @@ onLine (const PlanLine& line, const WallFace& face, const Intervals& intervals)
   return converted;
 }
 
-/** \brief Returns the length up to which gaps of a face are closed [m]. */
+/** \brief Returns the length of the longest gaps of a face that are closed [m]. */
 double
 maxClosedGap (const WallFace& face)
 {
@@ -73,7 +80,7 @@ addPart (WallFace& face, const WallFace& part)
 {
   const double gap = maxClosedGap (face);
   face.seen = unionOf (face.seen, onLine (face.line, part, part.seen), gap);
-  face.cut = unionOf (face.cut, onLine (face.line, part, part.cut), gap);
+  face.at_cut = unionOf (face.at_cut, onLine (face.line, part, part.at_cut), gap);
   const double shift = face.line.positionOf (part.line.origin);
   for (const FacePoint& point : part.points)
     face.points.push_back ({point.position + shift, point.height});
@@ -81,11 +88,8 @@ addPart (WallFace& face, const WallFace& part)
   face.planes.insert (face.planes.end(), part.planes.begin(), part.planes.end());
 }
 
-/** \brief A square of a grid on a face: its columns run along the line, its rows up. */
-using FaceSquare = std::pair<long, long>;
-
 /** \brief Returns the squares that have points of a face.
- * \param[in] shift added to the positions of its points [m]
+ * \param[in] shift added to the positions of its points along the line [m]
  * \param[in] edge of a square [m] */
 std::set<FaceSquare>
 squaresOf (const WallFace& face, double shift, double edge)
@@ -97,12 +101,12 @@ squaresOf (const WallFace& face, double shift, double edge)
   return squares;
 }
 
-/** \brief Returns the share of a leaf, without its rim, that has points of the wall in
- * front of it, 0 to 1; 1 if there is only a rim. The share is small if the points are
- * of furniture that touches the wall, and large if the leaf is the wall's other side.
- */
+/** \brief Returns the share of the area of a leaf, without the squares at its rim, that
+ * has points of the wall in front of it, 0 to 1; 1 if all squares are at the rim. The
+ * share is small if these points are of furniture that touches the wall, and large if
+ * the supposed leaf is the other side of the wall. */
 double
-shareBefore (const WallFace& leaf, const WallFace& wall)
+shareBehindWall (const WallFace& leaf, const WallFace& wall)
 {
   const double edge = std::max (constants.min_edge_of_leaf_square,
                                 std::max (leaf.longest_spacing, wall.longest_spacing) /
@@ -115,28 +119,29 @@ shareBefore (const WallFace& leaf, const WallFace& wall)
     return of_leaf.count ({x - 1, y}) == 0 || of_leaf.count ({x + 1, y}) == 0 ||
            of_leaf.count ({x, y - 1}) == 0 || of_leaf.count ({x, y + 1}) == 0;
   };
-  double all = 0.0;
-  double common = 0.0;
+  double squares = 0.0;
+  double squares_behind_wall = 0.0;
   for (const FaceSquare& square : of_leaf) {
     if (is_at_rim (square))
       continue;
-    all += 1.0;
-    common += of_wall.count (square) > 0 ? 1.0 : 0.0;
+    squares += 1.0;
+    squares_behind_wall += of_wall.count (square) > 0 ? 1.0 : 0.0;
   }
-  return all > 0.0 ? common / all : 1.0;
+  return squares > 0.0 ? squares_behind_wall / squares : 1.0;
 }
 
-/** \brief Returns intervals shortened by noise_of_ends at both ends, without those too
- * short for that. Noise moves the ends of a leaf; points of the wall show better where
- * the gap ends. */
+/** \brief Returns intervals of a leaf shortened by noise_of_ends at both ends, without
+ * those too short for that. Noise moves the ends of a leaf; points of the wall show
+ * better where the gap ends. */
 Intervals
-insideOf (const Intervals& intervals)
+withoutNoisyEnds (const Intervals& intervals)
 {
-  Intervals inside;
+  Intervals shortened;
   for (const auto& [from, to] : intervals)
     if (to - from > 2.0 * constants.noise_of_ends)
-      inside.push_back ({from + constants.noise_of_ends, to - constants.noise_of_ends});
-  return inside;
+      shortened.push_back (
+          {from + constants.noise_of_ends, to - constants.noise_of_ends});
+  return shortened;
 }
 
 /** \brief Returns whether a face is a door leaf or a window pane set back in a gap of a
@@ -147,19 +152,21 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
   if (!facesSameWay (leaf, wall) || leaf.points.size() >= wall.points.size())
     return false;
   const Interval whole{leaf.seen.front().from, leaf.seen.back().to};
-  const double behind =
+  const double distance_behind_wall =
       -wall.line.distance (leaf.line.at (0.5 * (whole.from + whole.to)));
-  if (behind < constants.min_recess || behind > constants.max_recess)
+  if (distance_behind_wall < constants.min_recess ||
+      distance_behind_wall > constants.max_recess)
     return false;
   const Interval on_wall{wall.line.positionOf (leaf.line.at (whole.from)),
                          wall.line.positionOf (leaf.line.at (whole.to))};
   const bool is_between_ends =
       on_wall.from >= wall.seen.front().from - constants.max_closed_gap &&
       on_wall.to <= wall.seen.back().to + constants.max_closed_gap;
-  return is_between_ends && shareBefore (leaf, wall) <= constants.max_share_before_leaf;
+  return is_between_ends &&
+         shareBehindWall (leaf, wall) <= constants.max_share_before_leaf;
 }
 
-/** \brief Returns the height of the highest point [m]. */
+/** \brief Returns the height of the highest point of a face [m]. */
 double
 topOf (const WallFace& face)
 {
@@ -170,29 +177,30 @@ topOf (const WallFace& face)
 }
 
 /** \brief Returns whether a front stands before a wall, and points of the wall were
- * seen above the front along most of its length. A wall without points at the cut is of
+ * seen above most of the length of the front. A wall without points at the cut is of
  * another story and does not count. */
 bool
 isFrontBefore (const WallFace& front, const WallFace& wall)
 {
-  if (wall.cut.empty() ||
+  if (wall.at_cut.empty() ||
       front.line.along.dot (wall.line.along) < constants.min_cosine_of_part)
     return false;
   const Interval whole{front.seen.front().from, front.seen.back().to};
-  const double before =
+  const double distance_before_wall =
       wall.line.distance (front.line.at (0.5 * (whole.from + whole.to)));
-  if (before < constants.min_before_wall || before > constants.max_before_wall)
+  if (distance_before_wall < constants.min_before_wall ||
+      distance_before_wall > constants.max_before_wall)
     return false;
-  const double low = topOf (front) + constants.same_level;
+  const double min_height = topOf (front) + constants.min_above_top;
   std::vector<double> seen_above;
   for (const FacePoint& point : wall.points)
-    if (point.height > low)
+    if (point.height > min_height)
       seen_above.push_back (point.position);
   const Interval on_wall{wall.line.positionOf (front.line.at (whole.from)),
                          wall.line.positionOf (front.line.at (whole.to))};
-  const double covered =
-      lengthWithin (on_wall, intervalsOf (seen_above, maxClosedGap (wall)));
-  return 2.0 * covered > on_wall.length();
+  const double length_below_seen =
+      coveredLength (on_wall, intervalsOf (seen_above, maxClosedGap (wall)));
+  return 2.0 * length_below_seen > on_wall.length();
 }
 
 } // namespace
@@ -200,11 +208,11 @@ isFrontBefore (const WallFace& front, const WallFace& wall)
 WallFace
 faceOf (const Eigen::Vector3d& normal,
         const PlanPoints& points,
-        std::size_t plane,
+        std::size_t plane_index,
         double height_of_cut)
 {
   WallFace face;
-  face.planes = {plane};
+  face.planes = {plane_index};
   const Eigen::Vector2d front = normal.head<2>().normalized();
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector3d& point : points)
@@ -216,21 +224,22 @@ faceOf (const Eigen::Vector3d& normal,
   face.longest_spacing = constants.spacings_of_gap * spacing;
   const double half_band =
       std::max (constants.half_band_of_wall, constants.spacings_of_band * spacing);
-  std::vector<double> seen;
-  std::vector<double> cut;
+  std::vector<double> seen; // positions along the line [m]
+  std::vector<double> at_cut;
   for (const FacePoint& point : face.points) {
     seen.push_back (point.position);
     if (std::abs (point.height - height_of_cut) <= half_band)
-      cut.push_back (point.position);
+      at_cut.push_back (point.position);
   }
   face.seen = intervalsOf (seen, maxClosedGap (face));
-  face.cut = intervalsOf (cut, maxClosedGap (face));
+  face.at_cut = intervalsOf (at_cut, maxClosedGap (face));
   return face;
 }
 
 std::vector<WallFace>
 joinFaces (std::vector<WallFace> faces)
 {
+  // Larger faces come first, so that smaller ones are added to them.
   std::sort (faces.begin(), faces.end(), [] (const WallFace& a, const WallFace& b) {
     return a.points.size() != b.points.size() ? a.points.size() > b.points.size()
                                               : a.planes < b.planes;
@@ -239,14 +248,14 @@ joinFaces (std::vector<WallFace> faces)
   for (WallFace& face : faces) {
     if (face.seen.empty())
       continue;
-    const auto whole = std::find_if (
+    const auto larger = std::find_if (
         joined.begin(), joined.end(), [&face] (const WallFace& candidate) {
           return continues (face, candidate);
         });
-    if (whole == joined.end())
+    if (larger == joined.end())
       joined.push_back (std::move (face));
     else
-      addPart (*whole, face);
+      addPart (*larger, face);
   }
   for (WallFace& face : joined)
     std::sort (face.planes.begin(), face.planes.end());
@@ -284,7 +293,8 @@ withoutRecesses (const std::vector<WallFace>& faces,
   for (WallFace& wall : kept)
     for (const WallFace& leaf : leaves)
       if (!leaf.seen.empty() && isRecessOf (leaf, wall))
-        wall.cut = without (wall.cut, insideOf (onLine (wall.line, leaf, leaf.cut)));
+        wall.at_cut = without (
+            wall.at_cut, withoutNoisyEnds (onLine (wall.line, leaf, leaf.at_cut)));
   return kept;
 }
 

@@ -20,6 +20,7 @@ using PlanPoints = std::vector<Eigen::Vector3d>;
 struct PlanLine {
   Eigen::Vector2d origin, along;
 
+  /** \brief Unit vector to the front. */
   Eigen::Vector2d
   normal () const
   {
@@ -38,6 +39,7 @@ struct PlanLine {
   {
     return normal().dot (point - origin);
   }
+  /** \brief The point at a position along the line [m]. */
   Eigen::Vector2d
   at (double position) const
   {
@@ -53,15 +55,16 @@ struct FacePoint {
 
 /** \brief One side of the walls on one line that face the same way. */
 struct WallFace {
-  PlanLine line;
-  /** \brief Intervals of the line with points at any height, and with points at the
-   * height of the cut. */
-  Intervals seen, cut;
+  PlanLine line; // its front is the front of the face
+  /** \brief Intervals of the line that have points at any height, and that have points
+   * at the height of the cut. */
+  Intervals seen, at_cut;
   std::vector<FacePoint> points;
-  /** \brief Longest gap that may be mere distance between neighboring points [m]. */
+  /** \brief Longest gap between points that may be nothing but their spacing [m]. */
   double longest_spacing = 0.0;
-  /** \brief Whether rooms end at the face. Then it is a wall even if furniture hides it
-   * at the cut, and not a lintel over an open passage. \ref faceOf leaves it false. */
+  /** \brief Whether rooms end at the face. If so, the face is a wall even where
+   * furniture hides it at the cut; otherwise it may be a lintel over an open passage.
+   * \ref faceOf leaves it false. */
   bool ends_rooms = false;
   /** \brief Indices of its planes in the list of planes, ascending. */
   std::vector<std::size_t> planes;
@@ -70,12 +73,12 @@ struct WallFace {
 /** \brief Returns the face of one wall plane.
  * \param[in] normal of the plane, in the frame of the plan; points to the front
  * \param[in] points inliers of the plane, at least one, in the frame of the plan
- * \param[in] plane index in the list of planes
+ * \param[in] plane_index index of the plane in the list of planes
  * \param[in] height_of_cut in the frame of the plan [m] */
 WallFace
 faceOf (const Eigen::Vector3d& normal,
         const PlanPoints& points,
-        std::size_t plane,
+        std::size_t plane_index,
         double height_of_cut);
 
 /** \brief Joins faces that lie on one line and face the same way. The joined face has
@@ -86,14 +89,15 @@ joinFaces (std::vector<WallFace> faces);
 
 /** \brief Returns the faces without fronts of furniture. A face is such a front if it
  * stands before a wall that faces the same way, and points of this wall were seen above
- * the front along most of its length. */
+ * most of the length of the front. */
 std::vector<WallFace>
 withoutFurniture (const std::vector<WallFace>& faces);
 
-/** \brief Returns the faces without door leaves and window panes. A leaf or pane lies
- * set back in a gap of a larger face that faces the same way. Where it is seen at the
- * height of the cut, WallFace::cut of the wall gets a gap, even if furniture in front
- * of the gap touches the wall.
+/** \brief Returns the faces without door leaves and window panes. A leaf or pane is set
+ * back in a gap of a larger face that faces the same way, its wall. Where the leaf is
+ * seen at the height of the cut, WallFace::at_cut of the wall gets a gap, even if
+ * furniture in front of the gap touches the wall.
+ * \param[in] faces the leaves among them are left out
  * \param[in] upright other faces that may be leaves or panes */
 std::vector<WallFace>
 withoutRecesses (const std::vector<WallFace>& faces,

@@ -12,13 +12,14 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-constexpr double edge = constants.edge_of_side_square;
+constexpr double edge_of_square = constants.edge_of_side_square;
 constexpr double any_height = -std::numeric_limits<double>::infinity();
 
 GridSquare
 squareAt (const Eigen::Vector2d& position)
 {
-  return {std::lround (position.x() / edge), std::lround (position.y() / edge)};
+  return {std::lround (position.x() / edge_of_square),
+          std::lround (position.y() / edge_of_square)};
 }
 
 /** \brief Returns all points sorted by square, then by their coordinates. */
@@ -38,23 +39,27 @@ pointsBySquare (const std::vector<const PlanPoints*>& lists)
 
 } // namespace
 
-RoomSides::RoomSides (const std::vector<const PlanPoints*>& level)
-: points_ (pointsBySquare (level))
+RoomSides::RoomSides (
+    const std::vector<const PlanPoints*>& points_of_floors_and_ceilings)
+: points_ (pointsBySquare (points_of_floors_and_ceilings))
 {}
 
 bool
 RoomSides::hasPointAt (const Eigen::Vector2d& position, double low) const
 {
-  static_assert (constants.reach_beside_wall <= edge, "the squares next to it will do");
+  static_assert (constants.reach_beside_wall <= edge_of_square,
+                 "points within reach are in the same square or in one next to it");
   const auto [own_column, own_row] = squareAt (position);
   for (const long column : {own_column - 1, own_column, own_column + 1}) {
     const GridSquare first (column, own_row - 1);
     const GridSquare last (column, own_row + 1);
-    auto candidate = std::lower_bound (
-        points_.begin(),
-        points_.end(),
-        first,
-        [] (const PointInSquare& a, const GridSquare& b) { return a.square < b; });
+    auto candidate =
+        std::lower_bound (points_.begin(),
+                          points_.end(),
+                          first,
+                          [] (const PointInSquare& point, const GridSquare& square) {
+                            return point.square < square;
+                          });
     for (; candidate != points_.end() && candidate->square <= last; ++candidate)
       if (candidate->point.z() > low &&
           (candidate->point.head<2>() - position).norm() <= constants.reach_beside_wall)
@@ -69,9 +74,10 @@ RoomSides::countBeside (const Eigen::Vector2d& front,
                         double low) const
 {
   SamplesBeside count;
-  double wall_offset = 0.0; // mean position of the wall's points along front [m]
+  double mean_along_front = 0.0; // of the wall's points [m]: where its line is
   for (const Eigen::Vector3d& point : wall)
-    wall_offset += front.dot (point.head<2>()) / static_cast<double> (wall.size());
+    mean_along_front += front.dot (point.head<2>()) / static_cast<double> (wall.size());
+  // One point of each square, moved to the line of the wall, is a sample.
   std::vector<PointInSquare> samples = pointsBySquare ({&wall});
   const auto is_same_square = [] (const PointInSquare& a, const PointInSquare& b) {
     return a.square == b.square;
@@ -80,7 +86,7 @@ RoomSides::countBeside (const Eigen::Vector2d& front,
                  samples.end());
   for (const auto& [square, point] : samples) {
     const Eigen::Vector2d on_wall =
-        point.head<2>() + (wall_offset - front.dot (point.head<2>())) * front;
+        point.head<2>() + (mean_along_front - front.dot (point.head<2>())) * front;
     const Eigen::Vector2d to_front = constants.beside_wall * front;
     count.before += hasPointAt (on_wall + to_front, low) ? 1 : 0;
     count.behind += hasPointAt (on_wall - to_front, low) ? 1 : 0;
@@ -92,24 +98,25 @@ bool
 RoomSides::areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) const
 {
   const auto [before, behind] = countBeside (front, wall, any_height);
-  return behind > 2 * before + constants.few_side_squares;
+  return behind > 2 * before + constants.few_samples_beside_wall;
 }
 
 bool
 RoomSides::endAt (const Eigen::Vector2d& front, const PlanPoints& wall) const
 {
   const auto [before, behind] = countBeside (front, wall, any_height);
-  return behind <= std::max (constants.few_side_squares, before / 2);
+  return behind <= std::max (constants.few_samples_beside_wall, before / 2);
 }
 
 bool
 RoomSides::goOnOver (const Eigen::Vector2d& front, const PlanPoints& wall) const
 {
-  double top = -std::numeric_limits<double>::infinity();
+  double top = -std::numeric_limits<double>::infinity(); // of the wall [m]
   for (const Eigen::Vector3d& point : wall)
     top = std::max (top, point.z());
-  const auto [before, behind] = countBeside (front, wall, top + constants.same_level);
-  return std::min (before, behind) > constants.few_side_squares &&
+  const auto [before, behind] =
+      countBeside (front, wall, top + constants.min_above_top);
+  return std::min (before, behind) > constants.few_samples_beside_wall &&
          2 * std::min (before, behind) > std::max (before, behind);
 }
 

@@ -9,7 +9,8 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A square of a horizontal grid, by column and row. */
+/** \brief A square of a horizontal grid with edges of edge_of_side_square
+ * (constants.h), by column along x and row along y. */
 using GridSquare = std::pair<long, long>;
 
 /** \brief A point and the square that it is in. */
@@ -20,11 +21,13 @@ struct PointInSquare {
 
 /** \brief Floors and ceilings beside walls. They show which side of a wall is its front
  * if the viewpoint of the cloud is unknown. In all functions \p front is the horizontal
- * unit vector to the supposed front, and \p wall are the inliers of the wall. */
+ * unit vector to the supposed front of a wall, and \p wall are the inliers of the wall,
+ * at least one, in the frame of the plan. */
 class RoomSides {
 public:
-  /** \param[in] level points of floors and ceilings */
-  explicit RoomSides (const std::vector<const PlanPoints*>& level);
+  /** \param[in] points_of_floors_and_ceilings lists of points; copied */
+  explicit RoomSides (
+      const std::vector<const PlanPoints*>& points_of_floors_and_ceilings);
 
   /** \brief Returns whether floors and ceilings lie behind a wall, and less than half
    * as much of them in front of it, so that the wall faces the wrong way. */
@@ -49,7 +52,8 @@ private:
     std::size_t before = 0, behind = 0;
   };
 
-  /** \brief Counts the samples beside which there are points higher than \p low [m]. */
+  /** \brief Counts the samples beside which there are points higher than \p low [m].
+   * The distance beside the wall is beside_wall (constants.h). */
   SamplesBeside
   countBeside (const Eigen::Vector2d& front, const PlanPoints& wall, double low) const;
 

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace pcl_ops::internal {
 
@@ -37,10 +40,12 @@ squaredDistanceOf (Key key)
 }
 
 /** \brief Sorts keys by a bucket sort, then an insertion sort. Squared distances to
- * points on a surface are nearly uniform, so that few keys share a bucket. */
+ * points on a surface are nearly uniformly distributed, so that few keys share a
+ * bucket.
+ */
 class KeySort {
 public:
-  // Sorts keys of squared distances up to squared_bound.
+  // Sorts keys whose squared distances are at most squared_bound [m^2].
   void
   sort (float squared_bound, std::vector<Key>& keys)
   {
@@ -56,6 +61,7 @@ public:
   }
 
 private:
+  // Writes the keys to sorted_, bucket after bucket.
   void
   sortByBucket (float squared_bound, const std::vector<Key>& keys)
   {
@@ -63,7 +69,7 @@ private:
     std::array<std::uint32_t, buckets + 1> begin{};
     bucket_of_key_.resize (keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      // NaN for an infinite squared distance, which goes to the last bucket.
+      // NaN for an infinite squared distance: such a key goes to the last bucket.
       const float scaled = scale * squaredDistanceOf (keys[i]);
       bucket_of_key_[i] = scaled < last_bucket
                               ? static_cast<std::uint32_t> (scaled)
@@ -84,21 +90,25 @@ private:
 };
 
 /** \brief Finds the nearest neighbors of the points of leaves, one leaf at a time. The
- * reach of a point is the distance to its last neighbor. A position is one in
- * PointTree::order. */
+ * reach of a point is the distance to the farthest of its neighbors [m]. A position is
+ * an index into PointTree::order. */
 class LeafSearch {
 public:
   LeafSearch (const PointTree& tree, std::size_t neighbors, Indices& nearest)
   : tree_ (tree), neighbors_ (neighbors), nearest_ (nearest)
   {}
 
+  // Writes the neighbors of the points of a leaf. Candidates within a first reach of
+  // the leaf are tried; the points that need farther ones are tried again with a larger
+  // reach.
   void
   find (const PointTree::Leaf& leaf)
   {
-    constexpr float growth = 1.5F; // of the reach between two tries
+    constexpr float growth = 1.5F; // factor from one reach to the next
     unfinished_.clear();
-    for (std::uint32_t p = leaf.node->begin; p < leaf.node->end; ++p)
-      unfinished_.push_back (p);
+    for (std::uint32_t position = leaf.node->begin; position < leaf.node->end;
+         ++position)
+      unfinished_.push_back (position);
     float sum_of_reaches = 0.0F;
     for (float reach = firstReach (leaf); !unfinished_.empty(); reach *= growth) {
       const std::size_t candidates =
@@ -106,14 +116,14 @@ public:
       if (candidates > maxCandidates())
         return findOneByOne();
       gather (candidates);
-      const bool has_all = candidates_.size() == tree_.order().size();
+      const bool are_all_points = candidates_.size() == tree_.order().size();
       const float squared_bound =
-          has_all ? maxSquaredDistance (*leaf.node) : reach * reach;
-      const auto isFound = [&] (std::uint32_t position) {
+          are_all_points ? maxSquaredDistance (*leaf.node) : reach * reach;
+      const auto findAndTell = [&] (std::uint32_t position) {
         return findNearest (position, squared_bound, sum_of_reaches);
       };
       unfinished_.erase (
-          std::remove_if (unfinished_.begin(), unfinished_.end(), isFound),
+          std::remove_if (unfinished_.begin(), unfinished_.end(), findAndTell),
           unfinished_.end());
     }
     mean_reach_ =
@@ -121,29 +131,31 @@ public:
   }
 
 private:
-  // Returns a little more than the mean reach in the previous leaf: enough for most
-  // points.
+  // Returns a little more than the mean reach in the previous leaf, which is enough for
+  // most points, but at most the reach of the leaf, which is enough for all.
   float
   firstReach (const PointTree::Leaf& leaf) const
   {
     constexpr float enlargement = 1.15F;
     const float reach = enlargement * mean_reach_;
-    // The previous leaf had equal points, or points so close that squares underflow.
-    if (!(reach * reach > 0.0F))
+    // True if points of the previous leaf were equal or so close that squares
+    // underflow.
+    const bool is_too_small = !(reach * reach > 0.0F);
+    if (is_too_small)
       return leaf.reach;
     return std::min (leaf.reach, reach);
   }
 
   // Largest number of shared candidates of a leaf. A sparse leaf beside a dense region
-  // would have more; its points are searched one by one.
+  // would have more: then the neighbors of its points are searched one by one.
   std::size_t
   maxCandidates () const
   {
-    constexpr std::size_t per_neighbor = 32;
-    return per_neighbor * (neighbors_ + 1);
+    constexpr std::size_t max_candidates_per_neighbor = 32;
+    return max_candidates_per_neighbor * (neighbors_ + 1);
   }
 
-  // Searches the tree for each unfinished point.
+  // Searches the tree for the neighbors of each unfinished point.
   void
   findOneByOne ()
   {
@@ -160,6 +172,7 @@ private:
   }
 
   // Copies the points in ranges_ to the candidates.
+  // \param[in] size number of these points
   void
   gather (std::size_t size)
   {
@@ -181,7 +194,8 @@ private:
     }
   }
 
-  // Upper bound of the squared distance from any point of a leaf to any candidate.
+  // Upper bound of the squared distance from any point of a leaf to any candidate
+  // [m^2].
   float
   maxSquaredDistance (const PointTree::Node& leaf) const
   {
@@ -218,8 +232,8 @@ private:
     if (found < neighbors_)
       return false;
     keys_.resize (found);
-    // Beside a denser region there may be many more candidates than wanted, all about
-    // as far away. Then only the nearest ones are sorted.
+    // Beside a denser region there may be many more candidates within the bound than
+    // wanted, most of them about as far away. Then only the nearest ones are sorted.
     constexpr std::size_t max_sorted_per_neighbor = 4;
     if (found > max_sorted_per_neighbor * neighbors_) {
       const auto last = keys_.begin() + static_cast<std::ptrdiff_t> (neighbors_ - 1);
@@ -253,14 +267,14 @@ private:
   const std::size_t neighbors_;
   Indices& nearest_;
   float mean_reach_ = std::numeric_limits<float>::infinity(); // in the previous leaf
-  Indices unfinished_; // positions of points of the leaf without neighbors yet
-  // Buffers that are reused.
+  Indices unfinished_; // positions of the points of the leaf that have no neighbors yet
+  // Buffers, members only to reuse their memory.
   PointTree::Ranges ranges_;
   NearestPoints nearest_of_one_;
   Coordinates candidates_;
   Indices candidate_indices_;
   std::vector<float> squared_distances_; // from one point to the candidates
-  std::vector<Key> keys_;
+  std::vector<Key> keys_; // of the candidates that may be neighbors of one point
   KeySort sort_;
 };
 
@@ -275,8 +289,8 @@ findAllNearest (const PointTree& tree, std::size_t neighbors, unsigned threads)
   parallelFor (
       threads, leaves.size(), leaves_at_once, [&] (std::size_t begin, std::size_t end) {
         LeafSearch search (tree, neighbors, nearest);
-        for (std::size_t l = begin; l < end; ++l)
-          search.find (leaves[l]);
+        for (std::size_t leaf = begin; leaf < end; ++leaf)
+          search.find (leaves[leaf]);
       });
   return nearest;
 }

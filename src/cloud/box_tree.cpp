@@ -24,18 +24,20 @@ using SquaredDistances = Eigen::Array<float, BoxTree::max_children, 1>;
 SquaredDistances
 squaredDistances (const Node& node, const Eigen::Vector3f& position)
 {
-  const auto outside = [&] (Eigen::Index axis) {
-    const float value = position[axis];
-    return (node.low.col (axis) - value)
-        .max (value - node.high.col (axis))
+  const auto squared_distances_along = [&] (Eigen::Index axis) {
+    const float coordinate = position[axis];
+    return (node.low.col (axis) - coordinate)
+        .max (coordinate - node.high.col (axis))
         .max (0.0f)
         .square()
         .eval();
   };
-  return outside (0) + outside (1) + outside (2);
+  return squared_distances_along (0) + squared_distances_along (1) +
+         squared_distances_along (2);
 }
 
-// Offers the points of a leaf to the candidates.
+// Adds the points of a leaf to the candidates.
+// \param[in] points, index of the tree: BoxTree::points_ and index_
 void
 visitLeaf (const Child& leaf,
            const Coordinates& points,
@@ -60,12 +62,13 @@ visitLeaf (const Child& leaf,
 }
 
 /** \brief Stack of children still to be visited, the next one on top. The upper bits of
- * an entry are those of the squared distance of the child, to sort by it; the lower
- * bits are the index of its node times max_children plus its index in the node. */
+ * an entry are those of the squared distance of the child, so that entries sort by it.
+ * The lower child_bits are the index of the child's node times max_children, plus the
+ * index of the child in that node. */
 struct PostponedChildren {
   static constexpr int child_bits = 32;
-  // Each division leaves at most 3/4 of the points on a side, so one of 2^32 points is
-  // left after 78 divisions. A level of nodes makes three divisions.
+  // A division puts at most 3/4 of the points on a side, and 2^32 (3/4)^78 < 1: a tree
+  // over 2^32 points has at most 78 divisions, of which a level of nodes makes three.
   static constexpr std::size_t max_levels = 78 / 3;
 
   std::array<std::uint64_t, max_levels * BoxTree::max_children> entries;
@@ -81,16 +84,17 @@ postponeChildren (const std::vector<Node>& nodes,
                   PostponedChildren& postponed)
 {
   const Node& node = nodes[node_index];
-  const SquaredDistances distances = squaredDistances (node, position);
-  const std::size_t first = postponed.size;
+  const SquaredDistances squared_distances = squaredDistances (node, position);
+  const std::size_t first_slot = postponed.size;
   for (std::uint32_t i = 0; i < node.child_count; ++i) {
-    const std::uint64_t distance_bits = NearestCandidates::bitsOf (distances[i]);
+    const std::uint64_t distance_bits =
+        NearestCandidates::bitsOf (squared_distances[i]);
     if (!candidates.mayTake (distance_bits, node.lowest_index[i]))
       continue;
     const std::uint64_t entry = distance_bits << PostponedChildren::child_bits |
                                 (node_index * BoxTree::max_children + i);
     std::size_t slot = postponed.size++;
-    for (; slot > first && postponed.entries[slot - 1] < entry; --slot)
+    for (; slot > first_slot && postponed.entries[slot - 1] < entry; --slot)
       postponed.entries[slot] = postponed.entries[slot - 1];
     postponed.entries[slot] = entry;
   }
@@ -125,9 +129,9 @@ struct Range {
   }
 };
 
-// Divides points at the middle of the longest side of their box, which makes compact
-// boxes; at the median if one side would get less than a quarter of the points.
-// Reorders the points, and returns the first one of the second side.
+// Divides points at the middle of the longest edge of their box, which makes compact
+// boxes; at the median if one half would get less than a quarter of the points.
+// Reorders the points, and returns the first one of the second half.
 IndexedPoint*
 divide (const Range& points)
 {
@@ -141,8 +145,8 @@ divide (const Range& points)
   const std::ptrdiff_t size = points.end - points.begin;
   const std::ptrdiff_t size_of_smaller =
       std::min (middle - points.begin, points.end - middle);
-  constexpr std::ptrdiff_t least_part = 4; // a quarter
-  if (least_part * size_of_smaller >= size)
+  const bool has_smaller_a_quarter = 4 * size_of_smaller >= size;
+  if (has_smaller_a_quarter)
     return middle;
   // Equal coordinates are sorted by index: a search among equal points can stop early.
   IndexedPoint* const median = points.begin + size / 2;
@@ -157,7 +161,8 @@ divide (const Range& points)
   return median;
 }
 
-// Splits points into the ranges of the children of a node.
+// Splits points into the ranges of the children of a node: up to three times, each
+// range into two, unless it has few enough points for a leaf.
 std::vector<Range>
 split (const Range& points)
 {
@@ -179,10 +184,11 @@ split (const Range& points)
   return ranges;
 }
 
-// Adds a node over points and the nodes below it; returns its index. Reorders the
-// points leaf by leaf.
+// Adds a node over points, and the nodes below it; returns the index of the node.
+// Reorders the points leaf by leaf.
+// \param[in] first the first point of the tree
 std::uint32_t
-grow (const IndexedPoint* first, const Range& points, std::vector<Node>& nodes)
+addNode (const IndexedPoint* first, const Range& points, std::vector<Node>& nodes)
 {
   const auto node_index = static_cast<std::uint32_t> (nodes.size());
   nodes.emplace_back();
@@ -190,7 +196,7 @@ grow (const IndexedPoint* first, const Range& points, std::vector<Node>& nodes)
     const auto begin = static_cast<std::uint32_t> (range.begin - first);
     const auto size = static_cast<std::uint32_t> (range.end - range.begin);
     const Child child =
-        range.isLeaf() ? Child{begin, size} : Child{grow (first, range, nodes), 0};
+        range.isLeaf() ? Child{begin, size} : Child{addNode (first, range, nodes), 0};
     Node& node = nodes[node_index];
     const std::uint32_t i = node.child_count++;
     node.children[i] = child;
@@ -213,7 +219,7 @@ BoxTree::BoxTree (const Points& points, const CloudView& cloud)
     indexed.push_back ({{position[0], position[1], position[2]}, index});
   }
   if (!indexed.empty())
-    grow (indexed.data(), {indexed.data(), indexed.data() + indexed.size()}, nodes_);
+    addNode (indexed.data(), {indexed.data(), indexed.data() + indexed.size()}, nodes_);
   index_.reserve (indexed.size());
   for (const IndexedPoint& point : indexed) {
     points_.add (point.position.x(), point.position.y(), point.position.z());

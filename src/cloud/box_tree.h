@@ -21,12 +21,14 @@ namespace pcl_ops::internal {
 class BoxTree {
 public:
   static constexpr std::size_t max_children = 8;
-  /** \brief Largest number of points of a leaf; all distances are computed at once. */
+  /** \brief Largest number of points of a leaf; a search computes the distances of all
+   * of them at once. */
   static constexpr std::uint32_t max_points_of_leaf = 40;
 
   /** \brief A child of a node: a leaf or another node. */
   struct Child {
-    /** \brief Of a leaf: index of its first point in the tree. Of a node: its index. */
+    /** \brief Of a leaf: index of its first point in points_. Of a node: its index in
+     * nodes_. */
     std::uint32_t first = 0;
     /** \brief Of a leaf: number of its points. Of a node: 0. */
     std::uint32_t size = 0;
@@ -37,7 +39,8 @@ public:
   struct Node {
     Eigen::Array<float, max_children, 3> low, high;
     std::array<Child, max_children> children;
-    /** \brief For each child, the lowest index of its points. */
+    /** \brief For each child, the lowest index that one of its points has in the cloud.
+     */
     std::array<pcl::index_t, max_children> lowest_index;
     std::uint32_t child_count = 0;
   };
@@ -48,8 +51,8 @@ public:
    * tree keeps no reference to the cloud. */
   BoxTree (const Points& points, const CloudView& cloud);
 
-  /** \brief Finds the nearest points within the radius. Of several points at the same
-   * distance it takes those with the lowest indices.
+  /** \brief Finds the nearest points within the radius of the query. Of several points
+   * at the same distance it takes those with the lowest indices.
    * \param[in] query must have a finite position
    * \param[out] indices of the neighbors in the cloud; former contents are replaced
    * \param[out] squared_distances in single precision, as PCL computes them [m^2] */

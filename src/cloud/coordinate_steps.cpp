@@ -12,36 +12,36 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief The smallest distance between different coordinates along an axis [m]. */
-struct LeastDistance {
-  double length = 0.0;
-  std::size_t times = 0; // that it occurs
+/** \brief The smallest difference of two different coordinates along an axis. */
+struct SmallestDifference {
+  double length = 0.0; // [m]; 0 if all coordinates are equal
+  std::size_t occurrences = 0;
 };
 
-// In units of the step: coordinates far from zero are rounded again to single
-// precision.
+// Differences are equal if they differ by at most this share of the smaller one. They
+// do differ, because coordinates far from zero are rounded again to single precision.
 constexpr double tolerance = 0.1;
 
-LeastDistance
-leastDistance (const std::vector<float>& coordinates)
+SmallestDifference
+smallestDifference (const std::vector<float>& coordinates)
 {
-  constexpr std::size_t looked_at = 16384;
-  const std::size_t stride = coordinates.size() / looked_at + 1;
+  constexpr std::size_t max_values = 16384; // enough to find a step
+  const std::size_t stride = coordinates.size() / max_values + 1;
   std::vector<float> values;
   for (std::size_t i = 0; i < coordinates.size(); i += stride)
     values.push_back (coordinates[i]);
   std::sort (values.begin(), values.end());
   values.erase (std::unique (values.begin(), values.end()), values.end());
-  std::vector<double> distances;
+  std::vector<double> differences; // of neighboring values
   for (std::size_t i = 1; i < values.size(); ++i)
-    distances.push_back (values[i] - values[i - 1]);
-  if (distances.empty())
+    differences.push_back (values[i] - values[i - 1]);
+  if (differences.empty())
     return {};
-  LeastDistance least;
-  least.length = *std::min_element (distances.begin(), distances.end());
-  for (const double distance : distances)
-    least.times += distance <= (1.0 + tolerance) * least.length ? 1 : 0;
-  return least;
+  SmallestDifference smallest;
+  smallest.length = *std::min_element (differences.begin(), differences.end());
+  for (const double difference : differences)
+    smallest.occurrences += difference <= (1.0 + tolerance) * smallest.length ? 1 : 0;
+  return smallest;
 }
 
 } // namespace
@@ -49,18 +49,20 @@ leastDistance (const std::vector<float>& coordinates)
 Eigen::Vector3d
 coordinateSteps (const Coordinates& points)
 {
-  // The least distance of coordinates that were not rounded occurs once.
-  constexpr std::size_t least_often = 12;
-  const std::array<LeastDistance, 3> least = {
-      leastDistance (points.x), leastDistance (points.y), leastDistance (points.z)};
+  // The smallest difference of coordinates that were not rounded occurs once; a step
+  // occurs often.
+  constexpr std::size_t min_occurrences = 12;
+  const std::array<SmallestDifference, 3> smallest = {smallestDifference (points.x),
+                                                      smallestDifference (points.y),
+                                                      smallestDifference (points.z)};
   Eigen::Vector3d steps = Eigen::Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis)
-    // A level floor has too few heights to repeat its step so often. So the step counts
-    // if it agrees with that of any axis that does.
-    for (const LeastDistance& other : least)
-      if (other.times >= least_often &&
-          std::abs (least[axis].length - other.length) <= tolerance * other.length)
-        steps[axis] = least[axis].length;
+    // The points of a level floor have too few different heights to repeat their step
+    // so often. So a difference is a step, too, if it equals the step of another axis.
+    for (const SmallestDifference& other : smallest)
+      if (other.occurrences >= min_occurrences &&
+          std::abs (smallest[axis].length - other.length) <= tolerance * other.length)
+        steps[axis] = smallest[axis].length;
   return steps;
 }
 

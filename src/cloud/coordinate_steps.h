@@ -6,8 +6,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Returns for each axis the step that coordinates were rounded to [m], as by a
- * file with two decimals; 0 for an axis without one. */
+/** \brief Returns for each axis the step of which all coordinates are multiples [m], as
+ * 0.01 in a file with two decimals; 0 for an axis whose coordinates were not rounded.
+ */
 Eigen::Vector3d
 coordinateSteps (const Coordinates& points);
 

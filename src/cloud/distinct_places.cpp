@@ -13,33 +13,33 @@ namespace pcl_ops::internal {
 namespace {
 
 // Adds the distinct places of the points in one cell of the space-filling curve.
-// \param[in,out] cell_points their indices; they get sorted by coordinates
+// \param[in,out] cell_points indices of these points; they get sorted by coordinates
 void
 addPlacesOfCell (const Coordinates& points,
                  Indices& cell_points,
                  DistinctPlaces& places)
 {
-  const auto positionOf = [&] (std::uint32_t i) {
-    return std::make_tuple (points.x[i], points.y[i], points.z[i]);
+  const auto positionOf = [&] (std::uint32_t point) {
+    return std::make_tuple (points.x[point], points.y[point], points.z[point]);
   };
   std::sort (cell_points.begin(), cell_points.end(), [&] (auto first, auto second) {
     return positionOf (first) < positionOf (second);
   });
-  for (std::size_t k = 0; k < cell_points.size(); ++k) {
-    const std::uint32_t i = cell_points[k];
-    if (k == 0 || positionOf (i) != positionOf (cell_points[k - 1]))
-      places.add (points.x[i], points.y[i], points.z[i]);
-    places.of_input[i] = static_cast<std::uint32_t> (places.size() - 1);
+  for (std::size_t i = 0; i < cell_points.size(); ++i) {
+    const std::uint32_t point = cell_points[i];
+    if (i == 0 || positionOf (point) != positionOf (cell_points[i - 1]))
+      places.add (points.x[point], points.y[point], points.z[point]);
+    places.of_input[point] = static_cast<std::uint32_t> (places.size() - 1);
   }
 }
 
-// Returns an edge of the cells of the curve [m] so large that no point is farther from
-// zero than half of key_limit cells; 1 if that edge or its inverse is out of the range
-// of single precision.
+// Returns the edge of the cells of the curve [m]: so large that no coordinate is
+// farther from zero than key_limit / 2 cells; 1 if that edge or its inverse is out of
+// the range of single precision.
 double
 edgeOfCells (const Coordinates& points)
 {
-  constexpr double max_cells_from_zero = key_limit / 2; // half of what fits
+  constexpr double max_cells_from_zero = key_limit / 2; // half of what a key can hold
   float largest = 0.0F;
   for (const std::vector<float>* axis : {&points.x, &points.y, &points.z})
     for (const float coordinate : *axis)
@@ -61,11 +61,11 @@ distinctPlaces (const Coordinates& points, unsigned threads)
   for (std::vector<float>* axis : {&places.x, &places.y, &places.z})
     axis->reserve (points.size());
   Indices cell_points;
-  for (std::size_t r = 0; r < runs.size();) {
-    const MortonCode code = runs[r].code();
+  for (std::size_t run = 0; run < runs.size();) {
+    const MortonCode code_of_cell = runs[run].code();
     cell_points.clear();
-    for (; r < runs.size() && runs[r].code() == code; ++r)
-      for (std::uint32_t i = runs[r].first(); i < runs[r].end(); ++i)
+    for (; run < runs.size() && runs[run].code() == code_of_cell; ++run)
+      for (std::uint32_t i = runs[run].first(); i < runs[run].end(); ++i)
         cell_points.push_back (i);
     addPlacesOfCell (points, cell_points, places);
   }

@@ -21,8 +21,9 @@ isFinite (float value)
 }
 
 // Hashes points: equal points, also those with zero and minus zero, have equal hashes.
-// Mixes in one coordinate after the other, so that integers and other coordinates with
-// zero low bits spread over all hashes, too.
+// Mixes in one coordinate after the other, so that integers and other coordinates whose
+// low bits are zero give all hashes about equally often, too. The factors are odd
+// constants of well-known hashes.
 PCL_OPS_VECTORIZED void
 computeHashes (const float* x,
                const float* y,
@@ -47,10 +48,10 @@ template <typename Visit>
 void
 forFinitePoints (const Coordinates& points, Visit&& visit)
 {
-  constexpr std::size_t at_once = 1024;
-  std::array<std::uint32_t, at_once> hashes;
-  for (std::size_t begin = 0; begin < points.size(); begin += at_once) {
-    const std::size_t count = std::min (at_once, points.size() - begin);
+  constexpr std::size_t points_at_once = 1024;
+  std::array<std::uint32_t, points_at_once> hashes;
+  for (std::size_t begin = 0; begin < points.size(); begin += points_at_once) {
+    const std::size_t count = std::min (points_at_once, points.size() - begin);
     const float* x = &points.x[begin];
     const float* y = &points.y[begin];
     const float* z = &points.z[begin];
@@ -61,10 +62,11 @@ forFinitePoints (const Coordinates& points, Visit&& visit)
   }
 }
 
-// Estimates the mean over all points of the number of points at their place: 1 if all
-// are distinct, 1 + q if a share q of them is in pairs. It counts the points in buckets
-// of equal hash bits, and subtracts what distinct points give on average. The standard
-// deviation of the estimate is sqrt (2 / buckets) = 0.022.
+// Estimates the mean, over all finite points, of the number of points at their place: 1
+// if all are distinct, 1 + q if the share q of all points is in pairs; 0 without finite
+// points. It counts the points in buckets by the lowest bits of their hashes, and
+// subtracts what distinct points give on average. The standard deviation of the
+// estimate is sqrt (2 / buckets) = 0.022.
 double
 estimatedPointsPerPlace (const Coordinates& points)
 {
@@ -73,13 +75,14 @@ estimatedPointsPerPlace (const Coordinates& points)
   forFinitePoints (points,
                    [&] (std::size_t, std::uint32_t hash) { ++counts[hash % buckets]; });
   double all_points = 0.0;
-  double squared_counts = 0.0;
+  double sum_of_squared_counts = 0.0;
   for (const double count : counts) {
     all_points += count;
-    squared_counts += count * count;
+    sum_of_squared_counts += count * count;
   }
-  return all_points > 0.0 ? squared_counts / all_points - (all_points - 1.0) / buckets
-                          : 0.0;
+  return all_points > 0.0
+             ? sum_of_squared_counts / all_points - (all_points - 1.0) / buckets
+             : 0.0;
 }
 
 /** \brief Finite points sorted so that equal points follow each other, by ascending
@@ -87,6 +90,7 @@ estimatedPointsPerPlace (const Coordinates& points)
 struct SortedByPlace {
   /** \brief The hash of a point in the upper 32 bits, its index in the lower ones. */
   using Key = std::uint64_t;
+  static constexpr int bits_of_index = 32;
 
   const Coordinates& points;
   std::vector<Key> keys;
@@ -95,7 +99,7 @@ struct SortedByPlace {
   {
     keys.reserve (points.size());
     forFinitePoints (points, [&] (std::size_t i, std::uint32_t hash) {
-      keys.push_back (static_cast<Key> (hash) << 32 | i);
+      keys.push_back (static_cast<Key> (hash) << bits_of_index | i);
     });
     std::vector<Key> spare (keys.size());
     const auto hash_of_key = [] (Key key) { return hashOf (key); };
@@ -109,7 +113,7 @@ struct SortedByPlace {
   static std::uint64_t
   hashOf (Key key)
   {
-    return key >> 32;
+    return key >> bits_of_index;
   }
 
   static std::uint32_t
@@ -125,7 +129,7 @@ struct SortedByPlace {
     return {points.x[i], points.y[i], points.z[i]};
   }
 
-  // Returns the end in keys of the points at the place of the key at begin.
+  // Returns the index in keys behind the last point at the place of keys[begin].
   std::size_t
   endOfPlace (std::size_t begin) const
   {
@@ -154,21 +158,22 @@ struct SortedByPlace {
 
 /** \brief The first point at each place, and sums over the points that are readings. */
 struct ReadingStatistics {
-  FirstAtPlace first;
-  double readings = 0.0;
+  FirstAtPlace first_at_place;
+  double readings = 0.0; // number of readings
   /** \brief Sum over places of the squared number of readings there. */
-  double squared_counts = 0.0;
+  double sum_of_squared_counts = 0.0;
 };
 
 ReadingStatistics
 statisticsOf (const SortedByPlace& sorted)
 {
   // The points of a place are missing readings if two conditions hold. They are more
-  // than max_times the mean number per place: no place of a cloud that repeats all its
-  // points alike has so many. And they alone add more than max_squared_count to the
-  // mean over all points of the number of points at their place.
-  constexpr double max_times = 16.0;
-  constexpr double max_squared_count = 0.25; // in units of the number of all points
+  // than max_mean_counts times the mean number of points per place: no place of a cloud
+  // that repeats all its points equally often has so many. And they alone add more than
+  // max_added_to_mean to the mean, over all points, of the number of points at their
+  // place.
+  constexpr double max_mean_counts = 16.0;
+  constexpr double max_added_to_mean = 0.25;
   const std::size_t size = sorted.keys.size();
   double places = 0.0;
   for (std::size_t begin = 0; begin < size; begin = sorted.endOfPlace (begin))
@@ -178,15 +183,15 @@ statisticsOf (const SortedByPlace& sorted)
   for (std::size_t begin = 0, end = 0; begin < size; begin = end) {
     end = sorted.endOfPlace (begin);
     const auto count = static_cast<double> (end - begin);
-    const bool are_missing_readings = count > max_times * all_points / places &&
-                                      count * count > max_squared_count * all_points;
+    const bool are_missing_readings = count > max_mean_counts * all_points / places &&
+                                      count * count > max_added_to_mean * all_points;
     if (are_missing_readings)
       continue;
     statistics.readings += count;
-    statistics.squared_counts += count * count;
+    statistics.sum_of_squared_counts += count * count;
     const std::uint32_t first = SortedByPlace::indexOf (sorted.keys[begin]);
-    for (std::size_t k = begin; k < end; ++k)
-      statistics.first[SortedByPlace::indexOf (sorted.keys[k])] = first;
+    for (std::size_t i = begin; i < end; ++i)
+      statistics.first_at_place[SortedByPlace::indexOf (sorted.keys[i])] = first;
   }
   return statistics;
 }
@@ -196,23 +201,26 @@ statisticsOf (const SortedByPlace& sorted)
 FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads)
 {
-  // Least means over points of the number of points at their place: 1 if all points are
-  // distinct. The least estimate is more than 4 of its standard deviations above that.
+  // Smallest means, over points, of the number of points at their place, at which equal
+  // points matter. The mean is 1 if all points are distinct; min_estimate is more than
+  // 4 standard deviations of the estimate above that.
   constexpr double min_estimate = 1.1;
   constexpr double min_mean_of_readings = 1.2;
   if (estimatedPointsPerPlace (points) < min_estimate)
     return {};
   const SortedByPlace sorted (points, threads);
   ReadingStatistics statistics = statisticsOf (sorted);
-  if (statistics.squared_counts >= min_mean_of_readings * statistics.readings)
-    return statistics.first;
-  if (statistics.readings == static_cast<double> (sorted.keys.size()))
+  if (statistics.sum_of_squared_counts >= min_mean_of_readings * statistics.readings)
+    return statistics.first_at_place;
+  const bool are_all_readings =
+      statistics.readings == static_cast<double> (sorted.keys.size());
+  if (are_all_readings)
     return {};
   // Too few readings are equal: each one stays as a point of its own.
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (statistics.first[i] != no_reading)
-      statistics.first[i] = static_cast<std::uint32_t> (i);
-  return statistics.first;
+    if (statistics.first_at_place[i] != no_reading)
+      statistics.first_at_place[i] = static_cast<std::uint32_t> (i);
+  return statistics.first_at_place;
 }
 
 } // namespace pcl_ops::internal

@@ -24,8 +24,10 @@ constexpr std::uint32_t no_reading = std::numeric_limits<std::uint32_t>::max();
  *
  * The places found do not depend on the order of the points. If nearly all points are
  * distinct, the function reads each only once.
- * \return empty if there are too few equal points to matter. If there are missing
- * readings, but too few other equal points, each reading has its own index. */
+ * \param[in] threads largest number of threads; 0: one for each processor
+ * \return for each point the first one at its place, or \ref no_reading; empty if there
+ * are too few equal points to matter. If there are missing readings, but too few other
+ * equal points, each reading has its own index */
 FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads);
 

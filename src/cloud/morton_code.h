@@ -23,12 +23,13 @@ constexpr std::int32_t key_limit = 1 << 18;
 
 /** \brief Added to a key to make it positive. It is a multiple of 16, so that voxels of
  * up to 16 times the edge have a border at coordinate 0, too. Its higher bits
- * alternate, so that keys just below and just above 0 share their upper bits: digits
- * that all codes share need no sorting. */
+ * alternate, so that the keys just below 0 and those just above 0 share their upper
+ * bits: a radix sort skips digits that all codes share. */
 constexpr std::int32_t key_offset = 0x55550;
 
-/** \brief Computes keys along one axis: coordinates in voxels, rounded down and clamped
- * to +-\ref key_limit. */
+/** \brief Computes keys along one axis: coordinates [m] in voxels, rounded down and
+ * clamped to -\ref key_limit .. \ref key_limit.
+ * \param[out] keys \p count keys */
 inline void
 keysOf (const float* coordinates,
         std::size_t count,
@@ -37,7 +38,8 @@ keysOf (const float* coordinates,
 {
   constexpr auto limit = static_cast<float> (key_limit);
   for (std::size_t i = 0; i < count; ++i) {
-    // If voxels_per_meter is infinite, 0 gives NaN; in this order it becomes -limit.
+    // The coordinate 0 times infinite voxels_per_meter is NaN, which std::max with
+    // arguments in this order turns into -limit.
     const float scaled =
         std::min (limit, std::max (-limit, coordinates[i] * voxels_per_meter));
     const auto truncated = static_cast<std::int32_t> (scaled);
@@ -80,9 +82,9 @@ mortonCode (std::int32_t x, std::int32_t y, std::int32_t z)
   return bits (x) | bits (y) << 1 | bits (z) << 2;
 }
 
-/** \brief Decodes a Morton code into key + \ref key_offset along each axis, which is
- * positive. If the code is that of a voxel of 2^n times the edge, this sum is divided
- * by 2^n and rounded down. */
+/** \brief Decodes a Morton code: returns the key along each axis plus \ref key_offset.
+ * For the code of a voxel of 2^n times the edge it returns this sum divided by 2^n and
+ * rounded down. */
 inline VoxelKey
 shiftedKeyOf (MortonCode code)
 {

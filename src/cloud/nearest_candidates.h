@@ -11,13 +11,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Selects the nearest of the points that are added. It collects more than are
- * wanted and drops the farthest once there are too many. So adding a point takes
- * constant time on average, however many are wanted. */
+/** \brief Selects the nearest of the points that are added. It collects more points
+ * than are wanted, and drops the farthest once there are too many. So adding a point
+ * takes constant time on average, however many points are wanted. */
 class NearestCandidates {
 public:
-  /** \brief Returns the bits of a float that is not negative: as integers they sort
-   * like the floats. */
+  /** \brief Returns the bits of a float that is not negative: as integers they have the
+   * order of the floats. */
   static std::uint32_t
   bitsOf (float squared_distance)
   {
@@ -27,8 +27,8 @@ public:
   }
 
   /** \param[in] wanted number of points, 1 or more if any are added
-   * \param[in] squared_radius points at this squared distance are taken, too: the first
-   * limit is the lowest key beyond it */
+   * \param[in] squared_radius points at this squared distance [m^2] are taken, too: at
+   * first the limit is the smallest key of a larger squared distance */
   NearestCandidates (std::size_t wanted, float squared_radius)
   : wanted_ (wanted)
   , shrink_at_ (wanted + std::max (wanted / 2, min_excess))
@@ -36,9 +36,9 @@ public:
   , keys_ (std::min (initial_room, shrink_at_))
   {}
 
-  /** \brief Whether points at a squared distance may still be among the nearest.
-   * Indices decide between equal distances, as of equal points or where squares are
-   * beyond single precision.
+  /** \brief Returns whether points at a squared distance may still be among the
+   * nearest. Indices decide between equal squared distances: those of equal points, or
+   * those that are 0 or infinite in single precision.
    * \param[in] distance_bits the squared distance by \ref bitsOf
    * \param[in] lowest_index of these points */
   bool
@@ -47,6 +47,7 @@ public:
     return keyOf (distance_bits, lowest_index) < limit_;
   }
 
+  /** \brief Adds \p added points, given by arrays of that length. */
   void
   add (const float* squared_distances, const pcl::index_t* indices, std::size_t added)
   {
@@ -65,7 +66,8 @@ public:
       shrink();
   }
 
-  /** \brief Returns the nearest points, in any order unless \p sorted. */
+  /** \brief Returns the nearest points.
+   * \param[in] sorted true: by distance, then by index; false: in any order */
   void
   take (bool sorted, pcl::Indices& indices, std::vector<float>& squared_distances)
   {
@@ -86,7 +88,10 @@ private:
   /** \brief Bits of the squared distance above those of the index: sorts by both. */
   using Key = std::uint64_t;
   static constexpr int index_bits = 32;
+  /** \brief Points collected beyond the wanted number before some are dropped: half of
+   * that number, but at least this many. */
   static constexpr std::size_t min_excess = 16;
+  /** \brief Number of keys for which memory is reserved at first. */
   static constexpr std::size_t initial_room = 128;
   static_assert (sizeof (pcl::index_t) * 8 <= index_bits, "an index fits into a key");
 
@@ -96,7 +101,7 @@ private:
     return distance_bits << index_bits | static_cast<Key> (index);
   }
 
-  // Drops all but the wanted points.
+  // Drops all but the nearest wanted_ points.
   void
   shrink ()
   {
@@ -106,8 +111,8 @@ private:
     limit_ = *farthest + 1;
   }
 
-  std::size_t wanted_;
-  std::size_t shrink_at_;
+  std::size_t wanted_;    // number of points
+  std::size_t shrink_at_; // number of points at which all but the wanted are dropped
   /** \brief Only points with keys below this limit are collected. */
   Key limit_;
   /** \brief Number of collected points; \ref keys_ has room for more. */

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::uint32_t max_points_of_leaf = 8;
 
-/** \brief Whether no point of a box can be nearer than the neighbors already known in
- * the octants that the box overlaps.
- * \param[in] low, high corners of the box relative to the query position */
+/** \brief Returns whether no point of a box can be nearer than the neighbors already
+ * known in the octants that the box overlaps.
+ * \param[in] low, high corners of the box relative to the query position [m] */
 bool
 isTooFar (const Eigen::Array2d& low,
           const Eigen::Array2d& high,
@@ -71,15 +71,17 @@ offer (const Eigen::Vector2d& offset, std::uint32_t point, OctantNeighbors& near
 std::size_t
 octantOf (const Eigen::Vector2d& direction)
 {
-  const bool is_left =
+  // Other directions are turned by half a turn into the first half.
+  const bool is_in_first_half =
       direction.y() > 0.0 || (direction.y() == 0.0 && direction.x() > 0.0);
-  const Eigen::Vector2d turned = is_left ? direction : Eigen::Vector2d (-direction);
+  const Eigen::Vector2d turned =
+      is_in_first_half ? direction : Eigen::Vector2d (-direction);
   const double x = turned.x();
   const double y = turned.y();
-  const std::size_t first = is_left ? 0 : octants / 2;
+  const std::size_t first_of_half = is_in_first_half ? 0 : octants / 2;
   if (x > 0.0)
-    return first + (y < x ? 0 : 1);
-  return first + (y > -x ? 2 : 3);
+    return first_of_half + (y < x ? 0 : 1);
+  return first_of_half + (y > -x ? 2 : 3);
 }
 
 OctantTree::OctantTree (const PlanarPoints& points)
@@ -105,17 +107,18 @@ OctantTree::build (std::uint32_t begin, std::uint32_t end)
     return;
   }
   const Eigen::Array2d size = node.high - node.low;
-  const Eigen::Index wider = size.y() > size.x() ? 1 : 0;
+  const Eigen::Index long_axis = size.y() > size.x() ? 1 : 0;
+  const Eigen::Index short_axis = 1 - long_axis;
   const std::uint32_t middle = begin + (end - begin) / 2;
   // All points differ, so sorting by both coordinates is unambiguous.
-  std::nth_element (order_.begin() + begin,
-                    order_.begin() + middle,
-                    order_.begin() + end,
-                    [&] (std::uint32_t a, std::uint32_t b) {
-                      return std::make_tuple (points_[a][wider],
-                                              points_[a][1 - wider]) <
-                             std::make_tuple (points_[b][wider], points_[b][1 - wider]);
-                    });
+  std::nth_element (
+      order_.begin() + begin,
+      order_.begin() + middle,
+      order_.begin() + end,
+      [&] (std::uint32_t a, std::uint32_t b) {
+        return std::make_tuple (points_[a][long_axis], points_[a][short_axis]) <
+               std::make_tuple (points_[b][long_axis], points_[b][short_axis]);
+      });
   build (begin, middle);
   nodes_[node_index].second_child = static_cast<std::uint32_t> (nodes_.size());
   build (middle, end);
@@ -136,8 +139,8 @@ OctantTree::search (std::size_t node_index,
       offer (points_[order_[i]] - position, order_[i], nearest);
     return;
   }
-  // The child on the side of the position comes first. The neighbors found there let
-  // most of the other child be skipped.
+  // The child on the side of the position comes first: the neighbors found there let
+  // the search skip most of the other child.
   const std::size_t first_child = node_index + 1;
   const std::size_t second_child = node.second_child;
   const bool is_in_second = (position.array() >= nodes_[second_child].low).all();

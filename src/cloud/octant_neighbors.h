@@ -25,8 +25,10 @@ octantOf (const Eigen::Vector2d& direction);
 
 /** \brief The nearest point in each octant around a position. */
 struct OctantNeighbors {
-  /** \brief Indices, or \ref no_neighbor at an infinite distance. */
+  /** \brief Indices of the points; \ref no_neighbor for an octant without points. */
   std::array<std::uint32_t, octants> points;
+  /** \brief From the position to the points [m^2]; infinite for an octant without
+   * points. */
   std::array<double, octants> squared_distances;
 };
 
@@ -36,24 +38,26 @@ struct OctantNeighbors {
  * are connected through these neighbors. */
 class OctantTree {
 public:
-  /** \param[in] points all different; the tree keeps a reference to them */
+  /** \param[in] points all different [m]; the tree keeps a reference to them */
   explicit OctantTree (const PlanarPoints& points);
 
-  /** \brief Returns the neighbors of the point with index \p point. */
+  /** \brief Returns the neighbors of the point with index \p point, without the point
+   * itself. */
   OctantNeighbors
   neighborsOf (std::uint32_t point) const;
 
-  /** \brief A few points near one another: those of a leaf. */
+  /** \brief A few points near one another: those of a leaf of the tree. */
   struct Group {
     /** \brief Indices, ascending. */
     std::vector<std::uint32_t> points;
-    Eigen::Vector2d center;
+    Eigen::Vector2d center; // mean of the points
     /** \brief The nearest points of other groups around the center. */
     OctantNeighbors neighbors;
   };
 
   /** \brief Divides the points into groups. The groups depend on the coordinates alone,
-   * not on the order of the points. */
+   * not on the order of the points.
+   * \param[in] threads largest number of threads; 0: one for each processor */
   std::vector<Group>
   groups (unsigned threads) const;
 
@@ -61,7 +65,8 @@ private:
   struct Node {
     Eigen::Array2d low, high; // corners of the bounding box
     std::uint32_t begin, end; // of its points in \ref order_
-    /** \brief Index of the second child, 0: leaf. The first child is the next node. */
+    /** \brief Index of the second child in \ref nodes_; 0 for a leaf. The first child
+     * is the next node. */
     std::uint32_t second_child = 0;
   };
 
@@ -69,7 +74,8 @@ private:
   void
   build (std::uint32_t begin, std::uint32_t end);
 
-  /** \brief Searches the points of a node for nearer neighbors.
+  /** \brief Searches the points of a node for neighbors of a position that are nearer
+   * than those in \p nearest.
    * \param[in] skipped_node index of a node; nodes_.size(): skip no node */
   void
   search (std::size_t node_index,
@@ -77,6 +83,8 @@ private:
           std::size_t skipped_node,
           OctantNeighbors& nearest) const;
 
+  /** \brief Returns the neighbors of a position among the points outside of a node.
+   * \param[in] skipped_node as for \ref search */
   OctantNeighbors
   neighborsAt (const Eigen::Vector2d& position, std::size_t skipped_node) const;
 

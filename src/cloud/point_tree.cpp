@@ -55,22 +55,23 @@ squaredDistanceOfBoxes (const PointTree::Node& first, const PointTree::Node& sec
   return sum;
 }
 
-// Returns the number of nodes of a tree. The numbers of points of nodes at the same
-// depth are equal, or differ by one.
+// Returns the number of nodes of a tree over so many points. The numbers of points of
+// nodes at the same depth are equal, or differ by one.
 std::uint32_t
 countNodes (std::uint32_t points)
 {
   if (points <= max_points_of_tree_leaf)
     return 1;
   // Number of nodes at the last depth at which all or some nodes are divided.
-  std::uint32_t at_last_depth = 1;
-  while (points > 2 * at_last_depth * max_points_of_tree_leaf)
-    at_last_depth *= 2;
-  const bool are_all_divided = points / at_last_depth > max_points_of_tree_leaf;
-  const std::uint32_t divided =
-      are_all_divided ? at_last_depth : points % at_last_depth;
-  const std::uint32_t down_to_last_depth = 2 * at_last_depth - 1;
-  return down_to_last_depth + 2 * divided;
+  std::uint32_t nodes_at_last_depth = 1;
+  while (points > 2 * nodes_at_last_depth * max_points_of_tree_leaf)
+    nodes_at_last_depth *= 2;
+  // If only some are divided, they are those with one point more than the others.
+  const bool are_all_divided = points / nodes_at_last_depth > max_points_of_tree_leaf;
+  const std::uint32_t divided_nodes =
+      are_all_divided ? nodes_at_last_depth : points % nodes_at_last_depth;
+  const std::uint32_t nodes_down_to_last_depth = 2 * nodes_at_last_depth - 1;
+  return nodes_down_to_last_depth + 2 * divided_nodes;
 }
 
 } // namespace
@@ -79,29 +80,32 @@ PointTree::PointTree (const Coordinates& points, unsigned threads)
 : nodes_ (countNodes (static_cast<std::uint32_t> (points.size())))
 , order_ (points.size())
 {
-  // Divides the nodes at the top until they are the roots of this many subtrees. Then
-  // divides the subtrees in parallel.
+  // First the top of the tree is divided, until it has so many subtrees that threads
+  // can share them. Then the subtrees are divided in parallel.
   constexpr std::size_t subtrees = 16;
+  constexpr std::size_t roots_per_piece = 1;
   std::iota (order_.begin(), order_.end(), 0U);
-  std::vector<std::uint32_t> roots;
+  std::vector<std::uint32_t> roots; // indices of the nodes to divide
   if (points.size() > 0) {
     nodes_[0] = {{}, {}, 0, static_cast<std::uint32_t> (points.size()), 0};
     roots.push_back (0);
   }
   while (!roots.empty() && roots.size() < subtrees) {
     std::vector<std::uint32_t> halves (2 * roots.size(), 0); // 0: no node
-    parallelFor (threads, roots.size(), 1, [&] (std::size_t i, std::size_t) {
-      if (divide (points, roots[i])) {
-        halves[2 * i] = roots[i] + 1;
-        halves[2 * i + 1] = nodes_[roots[i]].second_child;
-      }
-    });
+    parallelFor (
+        threads, roots.size(), roots_per_piece, [&] (std::size_t i, std::size_t) {
+          if (divide (points, roots[i])) {
+            halves[2 * i] = roots[i] + 1;
+            halves[2 * i + 1] = nodes_[roots[i]].second_child;
+          }
+        });
     halves.erase (std::remove (halves.begin(), halves.end(), 0U), halves.end());
     roots = std::move (halves);
   }
-  parallelFor (threads, roots.size(), 1, [&] (std::size_t i, std::size_t) {
-    divideAll (points, roots[i]);
-  });
+  parallelFor (threads,
+               roots.size(),
+               roots_per_piece,
+               [&] (std::size_t i, std::size_t) { divideAll (points, roots[i]); });
   sorted_ = selected (points, order_);
 }
 
@@ -118,7 +122,7 @@ bool
 PointTree::divide (const Coordinates& points, std::uint32_t node_index)
 {
   Node& node = nodes_[node_index];
-  int longest = 0;
+  int longest_axis = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<float>& values = axisOf (points, axis);
     float low = values[order_[node.begin]];
@@ -129,12 +133,12 @@ PointTree::divide (const Coordinates& points, std::uint32_t node_index)
     }
     node.low[axis] = low;
     node.high[axis] = high;
-    if (high - low > node.high[longest] - node.low[longest])
-      longest = axis;
+    if (high - low > node.high[longest_axis] - node.low[longest_axis])
+      longest_axis = axis;
   }
   if (node.end - node.begin <= max_points_of_tree_leaf)
     return false;
-  const std::vector<float>& values = axisOf (points, longest);
+  const std::vector<float>& values = axisOf (points, longest_axis);
   const std::uint32_t middle = node.begin + (node.end - node.begin) / 2;
   std::nth_element (order_.begin() + node.begin,
                     order_.begin() + middle,
@@ -153,17 +157,17 @@ PointTree::divide (const Coordinates& points, std::uint32_t node_index)
 float
 PointTree::squaredDistance (std::size_t first, std::size_t second) const
 {
-  const float x = sorted_.x[first] - sorted_.x[second];
-  const float y = sorted_.y[first] - sorted_.y[second];
-  const float z = sorted_.z[first] - sorted_.z[second];
-  return x * x + y * y + z * z;
+  const float dx = sorted_.x[first] - sorted_.x[second];
+  const float dy = sorted_.y[first] - sorted_.y[second];
+  const float dz = sorted_.z[first] - sorted_.z[second];
+  return dx * dx + dy * dy + dz * dz;
 }
 
 void
 PointTree::find (std::size_t position, NearestPoints& nearest) const
 {
-  // A stack of nodes to visit. It holds one node for each depth of the tree, and one
-  // more: 64 suffice for 2^32 points.
+  // The open nodes are a stack of nodes to visit: at most one for each depth of the
+  // tree, and one more. 64 suffice for 2^32 points.
   constexpr std::size_t max_open = 64;
   struct OpenNode {
     float squared_distance;
@@ -199,7 +203,7 @@ PointTree::find (std::size_t position, NearestPoints& nearest) const
 std::vector<PointTree::Leaf>
 PointTree::leaves (std::size_t wanted) const
 {
-  // Enlarges the reach so that rounding errors exclude no neighbor.
+  // Factor of the reach, so that rounding errors exclude no neighbor.
   constexpr float enlargement = 1.0F + 1e-5F;
   struct OpenNode {
     std::uint32_t node_index;
@@ -213,8 +217,8 @@ PointTree::leaves (std::size_t wanted) const
     open.pop_back();
     const Node& node = nodes_[next.node_index];
     const bool has_wanted = node.end - node.begin >= wanted;
-    // The diagonal of the smallest node that contains the leaf and at least the wanted
-    // number of points: this one, or an ancestor.
+    // The diagonal of the smallest node that contains this one and at least the wanted
+    // number of points: this one itself, or an ancestor.
     const float reach =
         has_wanted ? std::sqrt (squaredDiagonal (node)) * enlargement : next.reach;
     if (node.second_child == 0) {
@@ -240,20 +244,20 @@ PointTree::findLeavesAround (const Node& node,
   ranges.clear();
   open[open_count++] = 0;
   while (open_count > 0 && points <= max_points) {
-    const std::uint32_t node_index = open[--open_count];
-    const Node& next = nodes_[node_index];
-    if (squaredDistanceOfBoxes (node, next) > distance * distance)
+    const std::uint32_t other_index = open[--open_count];
+    const Node& other = nodes_[other_index];
+    if (squaredDistanceOfBoxes (node, other) > distance * distance)
       continue;
-    if (next.second_child != 0) {
-      open[open_count++] = next.second_child;
-      open[open_count++] = node_index + 1;
+    if (other.second_child != 0) {
+      open[open_count++] = other.second_child;
+      open[open_count++] = other_index + 1;
       continue;
     }
-    points += next.end - next.begin;
-    if (!ranges.empty() && ranges.back().end == next.begin)
-      ranges.back().end = next.end;
+    points += other.end - other.begin;
+    if (!ranges.empty() && ranges.back().end == other.begin)
+      ranges.back().end = other.end;
     else
-      ranges.push_back ({next.begin, next.end});
+      ranges.push_back ({other.begin, other.end});
   }
   return points;
 }

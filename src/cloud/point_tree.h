@@ -18,7 +18,8 @@ class NearestPoints {
 public:
   static constexpr std::size_t max_size = 128;
 
-  /** \param[in] wanted number of points to keep, 1 to \ref max_size */
+  /** \brief Forgets all points.
+   * \param[in] wanted number of points to keep, 1 to \ref max_size */
   void
   start (std::size_t wanted)
   {
@@ -27,6 +28,8 @@ public:
     squared_bound_ = std::numeric_limits<float>::infinity();
   }
 
+  /** \brief Keeps a point if it is nearer than one of those kept, or if fewer than the
+   * wanted number are kept. */
   void
   offer (float squared_distance, std::uint32_t index)
   {
@@ -65,7 +68,7 @@ public:
   }
 
 private:
-  // Whether a point comes before the one in a slot.
+  // Returns whether a point comes before the one in a slot.
   bool
   isNearer (float squared_distance, std::uint32_t index, std::size_t slot) const
   {
@@ -83,7 +86,8 @@ private:
 /** \brief A k-d tree that finds the nearest neighbors of its own points. */
 class PointTree {
 public:
-  /** \param[in] points finite points; the tree keeps a copy */
+  /** \param[in] points finite points; the tree keeps a copy
+   * \param[in] threads largest number of threads; 0: one for each processor */
   explicit PointTree (const Coordinates& points, unsigned threads = 1);
 
   /** \brief The index of the point at each position of the tree. Points at successive
@@ -97,7 +101,7 @@ public:
   /** \brief Searches the nearest neighbors of one of the points.
    * \param[in] position of the query point in \ref order
    * \param[in,out] nearest after NearestPoints::start; receives the neighbors and the
-   * query point itself, unless enough equal points have lower indices */
+   * query point itself, unless it is full of equal points with lower indices */
   void
   find (std::size_t position, NearestPoints& nearest) const;
 
@@ -114,10 +118,11 @@ public:
     std::uint32_t second_child; // node index, 0: leaf; the first child is the next node
   };
 
-  /** \brief A leaf and its reach: a radius [m] within which each point of the leaf has
-   * the wanted number of points, itself included; infinite if the tree has fewer. */
+  /** \brief A leaf and its reach. */
   struct Leaf {
     const Node* node;
+    /** \brief A radius [m] within which each point of the leaf has the wanted number of
+     * points, itself included; infinite if the tree has fewer points. */
     float reach;
   };
 
@@ -144,12 +149,12 @@ public:
                     Ranges& ranges) const;
 
 private:
-  // Between the points at two positions.
+  // Returns the squared distance between the points at two positions [m^2].
   float
   squaredDistance (std::size_t first, std::size_t second) const;
 
-  // Sets the bounding box of a node. Makes two children and returns true if the node
-  // has too many points for a leaf.
+  // Sets the bounding box of a node. If the node has too many points for a leaf, makes
+  // two children and returns true.
   bool
   divide (const Coordinates& points, std::uint32_t node_index);
 

@@ -20,7 +20,8 @@
 namespace pcl_ops::internal {
 namespace {
 
-/** \brief The points of a cloud at the indices, or all points if indices is null. */
+/** \brief The points of a cloud with the given indices; all points if indices is null.
+ */
 struct ChosenPoints {
   const CloudView& cloud;
   const pcl::Indices* indices;
@@ -53,7 +54,7 @@ allOf (const CloudView& cloud)
   return all;
 }
 
-// Whether a point is finite.
+// Returns whether a point is finite.
 bool
 isFinite (float x, float y, float z)
 {
@@ -65,6 +66,7 @@ isFinite (float x, float y, float z)
   return (x_is_finite & y_is_finite & z_is_finite) != 0;
 }
 
+// Returns whether the points begin .. end - 1 are finite.
 bool
 areFinite (const Coordinates& points, std::size_t begin, std::size_t end)
 {
@@ -75,9 +77,9 @@ areFinite (const Coordinates& points, std::size_t begin, std::size_t end)
 }
 
 // Bits of a coordinate to hash: all of them, or the leading bits: its sign and the
-// upper 12 bits of its mantissa, 1 mm at 4 m. Leading bits leave out the exponent, so
-// that units that differ by a power of two give the same hash, and the last digits, so
-// that rounding seldom changes the hash.
+// upper 12 bits of its mantissa, which at 4 m are steps of 1 mm. The leading bits leave
+// out the exponent, so that units that differ by a power of two give the same hash, and
+// the last digits, so that rounding seldom changes the hash.
 constexpr std::uint32_t all_bits = 0xffffffff;
 constexpr std::uint32_t leading_bits = 0x807ff800;
 
@@ -110,21 +112,21 @@ computeHashes (const float* x,
 Indices
 indicesByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_bits)
 {
-  constexpr std::size_t at_once = 1024;
-  // One point of so many is taken.
+  constexpr std::size_t points_at_once = 1024;
+  // About one of so many points is taken.
   const auto points_per_taken = static_cast<std::uint32_t> (points.size() / wanted + 1);
-  const std::uint32_t largest_taken =
+  const std::uint32_t largest_taken_hash =
       std::numeric_limits<std::uint32_t>::max() / points_per_taken;
-  std::array<std::uint32_t, at_once> hashes;
+  std::array<std::uint32_t, points_at_once> hashes;
   Indices taken;
-  for (std::size_t begin = 0; begin < points.size(); begin += at_once) {
-    const std::size_t count = std::min (at_once, points.size() - begin);
+  for (std::size_t begin = 0; begin < points.size(); begin += points_at_once) {
+    const std::size_t count = std::min (points_at_once, points.size() - begin);
     const float* x = &points.x[begin];
     const float* y = &points.y[begin];
     const float* z = &points.z[begin];
     computeHashes (x, y, z, count, used_bits, hashes.data());
     for (std::size_t i = 0; i < count; ++i)
-      if (hashes[i] <= largest_taken && isFinite (x[i], y[i], z[i]))
+      if (hashes[i] <= largest_taken_hash && isFinite (x[i], y[i], z[i]))
         taken.push_back (static_cast<std::uint32_t> (begin + i));
   }
   return taken;
@@ -137,8 +139,8 @@ sampleByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_
 }
 
 // Returns the median along each axis, rounded to a multiple of a step. The step is a
-// power of two, 16 to 32 times the largest median absolute deviation of the three axes.
-// So other points of the same surroundings nearly always give the same result.
+// power of two, 16 to 32 times the largest median absolute deviation of the three axes:
+// other samples of the same cloud nearly always give the same result.
 Eigen::Vector3d
 roundedMedian (Coordinates points)
 {
@@ -177,7 +179,7 @@ withoutDuplicates (const Coordinates& points)
 }
 
 // Returns a position near the median of a sample: near most points in spite of
-// outliers, the same in any order of the points; zero without finite points.
+// outliers, and the same for any order of the points; zero without finite points.
 Eigen::Vector3d
 medianOfSample (const Coordinates& points)
 {
@@ -201,7 +203,8 @@ copyPoints (const ChosenPoints& chosen, unsigned threads, Points& points)
   });
 }
 
-// Moves points into the frame of their origin. Returns whether all are finite there.
+// Moves points to the local frame, by points.origin. Returns whether all are finite
+// there.
 bool
 moveToOrigin (unsigned threads, Points& points)
 {
@@ -243,7 +246,7 @@ keepFinite (Points& points)
 
 /** \brief Two equal points, by their indices in the input cloud. */
 struct EqualPoints {
-  pcl::index_t first; // at their place
+  pcl::index_t first; // of all points at their place
   pcl::index_t duplicate;
 
   bool
@@ -255,17 +258,19 @@ struct EqualPoints {
 
 // Keeps the first point at each place, and removes and returns the others. Sets points
 // that are no readings to NaN. points.index must be filled in.
+// \param[in] first_at_place for each point the index of the first one
 std::vector<EqualPoints>
-removeDuplicates (Points& points, const FirstAtPlace& first)
+removeDuplicates (const FirstAtPlace& first_at_place, Points& points)
 {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   std::vector<EqualPoints> removed;
   const pcl::Indices index = points.index;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool is_reading = first[i] != no_reading;
-    if (is_reading && first[i] != i) {
-      removed.push_back ({index[first[i]], index[i]});
+    const std::uint32_t first = first_at_place[i];
+    const bool is_reading = first != no_reading;
+    if (is_reading && first != i) {
+      removed.push_back ({index[first], index[i]});
       continue;
     }
     points.x[kept] = is_reading ? points.x[i] : nan;
@@ -279,7 +284,8 @@ removeDuplicates (Points& points, const FirstAtPlace& first)
   return removed;
 }
 
-// Makes Points::copies: looks up each first point in Points::index, which is ascending.
+// Makes Points::copies: looks up each first point in Points::index.
+// \param[in] index ascending
 std::vector<Copy>
 copiesOf (const pcl::Indices& index, std::vector<EqualPoints> pairs)
 {
@@ -300,8 +306,9 @@ copiesOf (const pcl::Indices& index, std::vector<EqualPoints> pairs)
   return copies;
 }
 
-// Returns the origin of the local frame, near most points. It is exact in single
-// precision, in which points are moved there.
+// Returns the origin of the local frame, near most points. Its coordinates are numbers
+// of single precision, in which points are moved to that frame.
+// \param[in] step as of finitePoints
 Eigen::Vector3d
 originOf (const Coordinates& points, double step)
 {
@@ -331,12 +338,12 @@ readPoints (const CloudView& cloud,
   Points points;
   copyPoints ({cloud, indices}, threads, points);
   std::vector<EqualPoints> duplicates;
-  const FirstAtPlace first = equal_points_are == EqualPointsAre::RemovedIfMany
-                                 ? firstAtPlace (points, threads)
-                                 : FirstAtPlace();
-  if (!first.empty()) {
+  const FirstAtPlace first_at_place = equal_points_are == EqualPointsAre::RemovedIfMany
+                                          ? firstAtPlace (points, threads)
+                                          : FirstAtPlace();
+  if (!first_at_place.empty()) {
     points.index = chosenIndices();
-    duplicates = removeDuplicates (points, first);
+    duplicates = removeDuplicates (first_at_place, points);
   }
   points.origin = originOf (points, step);
   const bool are_finite = moveToOrigin (threads, points);
@@ -356,14 +363,14 @@ readPoints (const CloudView& cloud,
 Coordinates
 selected (const Coordinates& points, const Indices& indices)
 {
-  Coordinates some;
-  some.resize (indices.size());
+  Coordinates chosen;
+  chosen.resize (indices.size());
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    some.x[i] = points.x[indices[i]];
-    some.y[i] = points.y[indices[i]];
-    some.z[i] = points.z[indices[i]];
+    chosen.x[i] = points.x[indices[i]];
+    chosen.y[i] = points.y[indices[i]];
+    chosen.z[i] = points.z[indices[i]];
   }
-  return some;
+  return chosen;
 }
 
 Coordinates

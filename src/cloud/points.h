@@ -52,8 +52,8 @@ struct Coordinates {
   }
 };
 
-/** \brief A duplicate: a point that is represented by another one with equal
- * coordinates. */
+/** \brief A duplicate: a point of the cloud that another point with equal coordinates
+ * represents. */
 struct Copy {
   /** \brief Index of the duplicate in the input cloud. */
   pcl::index_t index;
@@ -70,7 +70,9 @@ struct Points : Coordinates {
   /** \brief Index of each point in the input cloud; ascending, each once. Empty in the
    * usual case that the points are the whole cloud: use \ref indexOf. */
   pcl::Indices index;
-  /** \brief Duplicates by ascending indices. Only \ref distinctPoints finds them. */
+  /** \brief Duplicates by ascending indices; empty unless \ref distinctPoints found
+   * some.
+   */
   std::vector<Copy> copies;
 
   pcl::index_t
@@ -88,16 +90,15 @@ using Indices = std::vector<std::uint32_t>;
 Coordinates
 selected (const Coordinates& points, const Indices& indices);
 
-/** \brief Returns up to about \p wanted of the finite points, or all if there are
- * fewer than \p wanted points, finite or not. It returns the same points for any order
- * of the input, and mostly the same ones if coordinates are rounded or multiplied by a
- * power of two. */
+/** \brief Returns a pseudorandom sample of up to about \p wanted of the finite points,
+ * or all of them if there are fewer than \p wanted points, finite or not. The sample is
+ * the same for any order of the points, and mostly the same if coordinates are rounded
+ * or multiplied by a power of two. */
 Coordinates
 samplePoints (const Coordinates& points, std::size_t wanted);
 
-/** \brief Returns the ascending indices of up to about \p wanted of the finite points,
- * as \ref samplePoints. It takes the same points for any order of the input, but others
- * if coordinates are rounded. */
+/** \brief Returns the ascending indices of such a sample. It is the same for any order
+ * of the points, but a different one if coordinates are rounded. */
 Indices
 sampleIndices (const Coordinates& points, std::size_t wanted);
 
@@ -106,11 +107,12 @@ sampleIndices (const Coordinates& points, std::size_t wanted);
 double
 medianOf (std::vector<float>& values);
 
-/** \brief Drops points with a NaN or infinite coordinate, once for all stages. is_dense
- * is ignored: some clouds set it wrongly.
+/** \brief Drops points with a NaN or infinite coordinate, once for all stages. The flag
+ * pcl::PointCloud::is_dense is ignored: some clouds set it wrongly.
+ * \param[in] threads largest number of threads; 0: one for each processor
  * \param[in] indices of the points to use, in any order, repeated or not; null: all
- * \param[in] step [m]: each coordinate of the origin is a multiple of it, rounded to
- * single precision; 0: the function chooses the step
+ * \param[in] step of the origin [m]: each coordinate of Points::origin is a multiple of
+ * it, rounded to single precision; 0: the function chooses the step
  * \return the finite points, in the order of their indices, each index once; their
  * origin is near most of them */
 Points
@@ -124,9 +126,10 @@ finitePoints (const CloudView& cloud,
  * points would determine the sizes derived from point density, the origin of the local
  * frame and the bounds of the cloud.
  *
- * If a large share of all points has duplicates, the first point at a place represents
- * the others, \ref Points::copies. If so many points are at a place that it must be a
- * sensor's code for missing readings, they are dropped like NaN, \ref firstAtPlace. */
+ * If a large share of all points has duplicates, the first point at each place
+ * represents the others (\ref Points::copies). If so many points are at one place that
+ * it must be a sensor's code for missing readings, they are dropped like NaN (\ref
+ * firstAtPlace). */
 Points
 distinctPoints (const CloudView& cloud,
                 unsigned threads,

@@ -36,9 +36,10 @@ computeCodes (const float* x,
     codes[i] = mortonCode (key_x[i], key_y[i], key_z[i]);
 }
 
-// Writes the runs of the points begin .. end - 1 and returns how many they are. There
-// is no branch to mispredict: each point writes the run up to itself, over that of the
-// point before unless it begins a new run.
+// Writes the runs of the points begin .. end - 1 and returns their number. There is no
+// branch to mispredict: each point writes the run up to itself, over the run of the
+// point before unless it begins a new run. A batch of points_of_batch points begins a
+// new run.
 std::size_t
 findRuns (const Coordinates& positions,
           float voxels_per_meter,
@@ -49,16 +50,16 @@ findRuns (const Coordinates& positions,
   std::array<MortonCode, points_of_batch> codes;
   std::size_t runs_so_far = 0;
   std::uint32_t run_begin = 0;
-  for (std::size_t first = begin; first < end; first += points_of_batch) {
-    const std::size_t count = std::min (points_of_batch, end - first);
-    computeCodes (&positions.x[first],
-                  &positions.y[first],
-                  &positions.z[first],
+  for (std::size_t batch = begin; batch < end; batch += points_of_batch) {
+    const std::size_t count = std::min (points_of_batch, end - batch);
+    computeCodes (&positions.x[batch],
+                  &positions.y[batch],
+                  &positions.z[batch],
                   count,
                   voxels_per_meter,
                   codes.data());
     for (std::size_t i = 0; i < count; ++i) {
-      const auto point = static_cast<std::uint32_t> (first + i);
+      const auto point = static_cast<std::uint32_t> (batch + i);
       const bool begins_run =
           i == 0 || codes[i] != codes[i - 1] || point - run_begin == PointRun::max_size;
       runs_so_far += begins_run ? 1 : 0;
@@ -77,9 +78,9 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
   constexpr std::size_t points_per_piece = 32 * points_of_batch;
   const auto voxels_per_meter = static_cast<float> (1.0 / voxel_size);
   // Each piece writes its runs from the index of its first point on. Then the runs of
-  // all pieces are moved together.
+  // all pieces are moved together, without the unused elements between them.
   PointRuns runs (positions.size(), boost::container::default_init);
-  const std::vector<std::size_t> runs_of_piece = parallelChunks (
+  const std::vector<std::size_t> runs_of_piece = parallelPieces (
       threads,
       positions.size(),
       points_per_piece,
@@ -87,9 +88,9 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
         return findRuns (positions, voxels_per_meter, begin, end, &runs[begin]);
       });
   PointRun* end_of_runs = runs.data();
-  for (std::size_t p = 0; p < runs_of_piece.size(); ++p)
-    end_of_runs =
-        std::copy_n (runs.data() + p * points_per_piece, runs_of_piece[p], end_of_runs);
+  for (std::size_t piece = 0; piece < runs_of_piece.size(); ++piece)
+    end_of_runs = std::copy_n (
+        runs.data() + piece * points_per_piece, runs_of_piece[piece], end_of_runs);
   runs.resize (static_cast<std::size_t> (end_of_runs - runs.data()));
   PointRuns spare (runs.size(), boost::container::default_init);
   const auto codeOf = [] (const PointRun& run) { return run.code(); };

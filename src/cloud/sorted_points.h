@@ -40,7 +40,8 @@ public:
     return low_code_and_size_ % max_size + 1;
   }
 
-  /** \brief Index of the first point; \ref end is the index after the last one. */
+  /** \brief Index of the first point in the cloud; \ref end is the index after the last
+   * one. */
   std::uint32_t
   first () const
   {
@@ -64,12 +65,13 @@ private:
  * largest possible number of runs takes no physical memory. */
 using PointRuns = boost::container::vector<PointRun>;
 
-/** \brief Returns the points as runs, sorted by the Morton code of their voxel. Runs of
- * a voxel keep the order of the cloud. Points in the order of a scan have several times
- * fewer runs than points, so that sorting takes less time.
+/** \brief Returns the points as runs, sorted by the Morton codes of their voxels. Runs
+ * of one voxel keep the order of the cloud. A cloud in the order of its scan has
+ * several times fewer runs than points, so that sorting takes less time.
  * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero are
  * clamped to the outermost voxels
- * \param[in] voxel_size edge of a voxel [m] */
+ * \param[in] voxel_size edge of a voxel [m]
+ * \param[in] threads largest number of threads; 0: one for each processor */
 PointRuns
 sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads);
 

@@ -12,8 +12,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Returns the moments of the points of the runs begin .. end - 1 and writes the indices
-// of these points to order.
+// Returns the moments of the points of the runs begin .. end - 1, and writes the
+// indices of these points from order on.
 Moments
 momentsOfRuns (const Coordinates& positions,
                const PointRun* begin,
@@ -30,20 +30,20 @@ momentsOfRuns (const Coordinates& positions,
 }
 
 /** \brief Makes a voxel of the runs with the same code: sets VoxelGrid::codes and
- * first_point. Returns the index of the first run of each voxel, and the number of runs
- * behind these. */
+ * VoxelGrid::first_point.
+ * \return the index of the first run of each voxel, then the number of runs */
 Indices
 addVoxels (const PointRuns& runs, VoxelGrid& grid)
 {
   Indices first_run;
-  std::uint32_t points = 0;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (r == 0 || runs[r].code() != runs[r - 1].code()) {
-      first_run.push_back (static_cast<std::uint32_t> (r));
-      grid.codes.push_back (runs[r].code());
-      grid.first_point.push_back (points);
+  std::uint32_t points_so_far = 0;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    if (run == 0 || runs[run].code() != runs[run - 1].code()) {
+      first_run.push_back (static_cast<std::uint32_t> (run));
+      grid.codes.push_back (runs[run].code());
+      grid.first_point.push_back (points_so_far);
     }
-    points += runs[r].size();
+    points_so_far += runs[run].size();
   }
   first_run.push_back (static_cast<std::uint32_t> (runs.size()));
   return first_run;

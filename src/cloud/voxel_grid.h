@@ -16,13 +16,14 @@ namespace pcl_ops::internal {
 struct VoxelGrid {
   /** \brief Edge of a voxel [m]. */
   double voxel_size = 0.0;
-  /** \brief Morton codes, ascending: voxels that are neighbors are near in memory. */
+  /** \brief Morton codes of the voxels, ascending: neighbors are near in memory. */
   std::vector<MortonCode> codes;
-  /** \brief Indices of all points, voxel by voxel; shared in \ref VoxelLevels. */
+  /** \brief Indices of all points, voxel by voxel; both grids of \ref VoxelLevels share
+   * it. */
   std::shared_ptr<const Indices> order;
   /** \brief For each voxel the position in \ref order where its points begin. */
   Indices first_point;
-  /** \brief Moments of each voxel's points about the origin of their frame. */
+  /** \brief Moments of each voxel's points about the zero of their frame. */
   std::vector<Moments> moments;
   /** \brief Neighbors of each voxel; empty until \ref connect is called. */
   VoxelNeighbors neighbors;
@@ -49,11 +50,13 @@ struct VoxelGrid {
  * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero are
  * clamped to the outermost voxels
  * \param[in] voxel_size edge of a voxel [m]
+ * \param[in] threads largest number of threads; 0: one for each processor
  * \return the grid, without neighbors */
 VoxelGrid
 voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 
-/** \brief Fills in \ref VoxelGrid::neighbors and \ref VoxelGrid::larger. */
+/** \brief Fills in \ref VoxelGrid::neighbors and \ref VoxelGrid::larger.
+ * \param[in] threads largest number of threads; 0: one for each processor */
 void
 connect (VoxelGrid& grid, unsigned threads);
 
@@ -81,7 +84,7 @@ Indices
 voxelsOfPoints (const VoxelGrid& grid);
 
 /** \brief Two grids of the same points. A coarse voxel has twice the edge of a finest
- * one and contains up to 2 x 2 x 2 occupied ones. */
+ * voxel, and contains up to 2 x 2 x 2 occupied finest voxels. */
 struct VoxelLevels {
   VoxelGrid finest, coarse;
   /** \brief For each finest voxel the index of the coarse voxel that contains it. */

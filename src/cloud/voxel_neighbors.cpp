@@ -27,7 +27,8 @@ constexpr std::uint64_t whole_block =
 constexpr std::uint64_t middle_of_block = 1 << 21; // (1, 1, 1)
 constexpr int bits_of_block = 43;                  // the last bit is that of (2, 2, 2)
 
-// Position of the lowest bit that is set.
+// Returns the position of the lowest bit that is set.
+// \param[in] bits not 0
 unsigned
 lowestBit (std::uint64_t bits)
 {
@@ -44,19 +45,20 @@ withoutLowestBit (std::uint64_t bits)
  * 4 x 4 x 4 cells. Cell (x, y, z) has the index x + 4 y + 16 z. */
 struct ChildrenAround {
   static constexpr int cells = 64;
-  /** \brief Index of the cell for all voxels outside of the block. */
+  /** \brief Index that stands for the cells of all voxels outside of the block. */
   static constexpr std::uint8_t outside = 64;
 
   /** \brief One bit for each cell that holds an occupied voxel. */
   std::uint64_t occupied = 0;
-  /** \brief Index of the voxel in each cell, and in \ref outside. */
+  /** \brief Index of the voxel in each occupied cell; elements of other cells are not
+   * set, and that of \ref outside has no meaning. */
   std::array<std::uint32_t, cells + 1> voxels;
 };
 
-// The lowest three bits of a code: which of the children of its parent a voxel is, with
-// one bit for the upper half along x, y and z.
 constexpr int max_children = 8;
 
+// Returns which of the children of its parent a voxel is: the lowest three bits of its
+// code. Bits 0, 1 and 2 are set for the upper half of the parent along x, y and z.
 unsigned
 octantInParent (MortonCode code)
 {
@@ -86,12 +88,12 @@ cellsOfChildren ()
   return cells;
 }
 
-// For each octant the first cell of the 3 x 3 x 3 block around the child there.
+// For each octant the cell with the lowest index in the 3 x 3 x 3 block around the
+// child in this octant.
 constexpr std::array<std::uint8_t, max_children> first_around{
     0, 1, 4, 5, 16, 17, 20, 21};
 
-// Returns for each parent the index of its first child, and behind these the number of
-// children.
+// Returns for each parent the index of its first child, then the number of children.
 // \param[in] parent_of_child ascending
 Indices
 firstChildren (const Indices& parent_of_child, std::size_t parents)
@@ -104,6 +106,9 @@ firstChildren (const Indices& parent_of_child, std::size_t parents)
 }
 
 // Collects the children of a voxel and the voxels around them.
+// \param[in] codes of the children of all voxels
+// \param[in] around_parents neighbors of the voxels of the level of \p parent
+// \param[in] parent index of the voxel
 ChildrenAround
 childrenAround (const std::vector<MortonCode>& codes,
                 const Indices& first_child,
@@ -127,7 +132,27 @@ childrenAround (const std::vector<MortonCode>& codes,
   return children;
 }
 
+// Writes the indices of the neighbors of a child, and VoxelNeighbors::occupied.
+// \param[in] children the children of its parent and the voxels around them
+// \param[in] octant of the child in its parent
+// \param[out] next where to write the indices
+// \return the end of the written indices
+std::uint32_t*
+writeNeighbors (const ChildrenAround& children,
+                unsigned octant,
+                std::uint64_t& occupied,
+                std::uint32_t* next)
+{
+  const unsigned first_cell = first_around[octant];
+  occupied = children.occupied >> first_cell & whole_block;
+  for (std::uint64_t bits_left = occupied; bits_left != 0;
+       bits_left = withoutLowestBit (bits_left))
+    *next++ = children.voxels[first_cell + lowestBit (bits_left)];
+  return next;
+}
+
 // Finds the neighbors of voxels among the children of their parents' neighbors.
+// \param[in] codes of the voxels, ascending
 // \param[in] above the parents, with their neighbors
 VoxelNeighbors
 neighborsBelow (const std::vector<MortonCode>& codes,
@@ -140,22 +165,20 @@ neighborsBelow (const std::vector<MortonCode>& codes,
   VoxelNeighbors around;
   around.occupied.resize (codes.size());
   around.begin.resize (codes.size() + 1);
-  const auto pieces = parallelChunks (
+  const auto pieces = parallelPieces (
       threads, parents, parents_per_piece, [&] (std::size_t begin, std::size_t end) {
         // A vector would first write zeros, which takes longer than the results.
         std::unique_ptr<std::uint32_t[]> found (
             new std::uint32_t[max_neighbors * (first_child[end] - first_child[begin])]);
         std::uint32_t* next = found.get();
-        for (std::size_t p = begin; p < end; ++p) {
+        for (std::size_t parent = begin; parent < end; ++parent) {
           const ChildrenAround children =
-              childrenAround (codes, first_child, above.neighbors, p);
-          for (std::uint32_t i = first_child[p]; i < first_child[p + 1]; ++i) {
-            const unsigned first_cell = first_around[octantInParent (codes[i])];
+              childrenAround (codes, first_child, above.neighbors, parent);
+          for (std::uint32_t i = first_child[parent]; i < first_child[parent + 1];
+               ++i) {
             const std::uint32_t* const own_begin = next;
-            around.occupied[i] = children.occupied >> first_cell & whole_block;
-            for (std::uint64_t bits_left = around.occupied[i]; bits_left != 0;
-                 bits_left = withoutLowestBit (bits_left))
-              *next++ = children.voxels[first_cell + lowestBit (bits_left)];
+            next = writeNeighbors (
+                children, octantInParent (codes[i]), around.occupied[i], next);
             // The number of neighbors; the sums below make it the position.
             around.begin[i + 1] = static_cast<std::uint32_t> (next - own_begin);
           }

@@ -19,16 +19,18 @@ using IndexRange = boost::iterator_range<const std::uint32_t*>;
  * around it, itself included. Most voxels of a block are empty if the points are on
  * surfaces. */
 struct VoxelNeighbors {
-  /** \brief Indices of the neighbors, voxel by voxel, then by bit in \ref occupied. */
+  /** \brief Indices of the neighbors, voxel by voxel; those of a voxel in the order of
+   * their bits in \ref occupied. */
   std::vector<std::uint32_t> neighbors;
-  /** \brief For each voxel the position in \ref neighbors where its neighbors begin,
-   * and behind these the size of \ref neighbors. */
+  /** \brief For each voxel the position in \ref neighbors where its neighbors begin;
+   * then the size of \ref neighbors. */
   std::vector<std::uint32_t> begin = {0};
   /** \brief For each voxel a bit set: bit x + 4 y + 16 z is set if there is a neighbor
    * at (x, y, z) in the block, each coordinate 0 to 2; (1, 1, 1) is the voxel itself.
    */
   std::vector<std::uint64_t> occupied;
 
+  /** \brief Indices of the neighbors of a voxel. */
   IndexRange
   operator[] (std::size_t voxel) const
   {
@@ -39,10 +41,10 @@ struct VoxelNeighbors {
 /** \brief The next octree level: voxels of twice the edge, each with up to 2 x 2 x 2 of
  * the smaller ones. */
 struct LargerVoxels {
-  std::vector<MortonCode> codes;
+  std::vector<MortonCode> codes; // ascending
   /** \brief For each smaller voxel the index of the larger voxel that contains it. */
   std::vector<std::uint32_t> holding;
-  VoxelNeighbors neighbors;
+  VoxelNeighbors neighbors; // of the larger voxels
 };
 
 /** \brief Returns the larger voxels that contain the given ones, without neighbors.
@@ -58,7 +60,8 @@ struct ConnectedVoxels {
 };
 
 /** \brief Finds the neighbors of all voxels, level by level from the octree root down.
- * \param[in] codes of the voxels, ascending, each once */
+ * \param[in] codes of the voxels, ascending, each once
+ * \param[in] threads largest number of threads; 0: one for each processor */
 ConnectedVoxels
 connected (const std::vector<MortonCode>& codes, unsigned threads);
 

@@ -13,20 +13,22 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Returns how many voxels have points in them.
+// Returns how many voxels have points, which is how often the code changes along the
+// sorted runs, plus one.
 double
 countOccupied (const Coordinates& points, double voxel_size)
 {
   constexpr unsigned one_thread = 1;
   const PointRuns runs = sortedRuns (points, voxel_size, one_thread);
   std::size_t voxels = runs.size() == 0 ? 0 : 1;
-  for (std::size_t r = 1; r < runs.size(); ++r)
-    voxels += runs[r].code() != runs[r - 1].code();
+  for (std::size_t run = 1; run < runs.size(); ++run)
+    voxels += runs[run].code() != runs[run - 1].code() ? 1 : 0;
   return static_cast<double> (voxels);
 }
 
-// Drops outliers: points many times farther from the origin than the median distance.
-// Each one would fill a voxel of its own at any size. The origin is near most points.
+// Drops outliers: points many times farther from the origin, which is near most points,
+// than the median distance. Each outlier would occupy a voxel of its own at any voxel
+// size.
 Coordinates
 withoutOutliers (const Coordinates& points)
 {
@@ -62,15 +64,15 @@ voxelSizeFor (const Coordinates& points, double wanted_voxels)
   constexpr std::size_t sample_size = 8192;
   // About ten sampled points per voxel: hardly any occupied voxel has no sampled point.
   constexpr double max_counted_voxels = 800.0;
-  // The first size to try is the diagonal of the bounding box over this number.
-  constexpr double sizes_per_diagonal = 25.0;
+  // The voxel size that is tried first is the diagonal of the bounding box over this.
+  constexpr double voxels_along_diagonal = 25.0;
   const Coordinates sample = withoutOutliers (samplePoints (points, sample_size));
   if (sample.size() == 0)
     return 0.0;
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < sample.size(); ++i)
     box.extend (sample[i]);
-  double voxel_size = box.diagonal().norm() / sizes_per_diagonal;
+  double voxel_size = box.diagonal().norm() / voxels_along_diagonal;
   if (!(voxel_size > 0.0 && std::isfinite (voxel_size)))
     return 0.0;
   constexpr int max_tries = 8;
@@ -80,7 +82,7 @@ voxelSizeFor (const Coordinates& points, double wanted_voxels)
     const bool is_near_enough = ratio > 0.5 && ratio < 2.0;
     if (is_near_enough)
       break;
-    voxel_size *= std::sqrt (ratio); // surfaces fill edge^-2 voxels
+    voxel_size *= std::sqrt (ratio); // as the number of voxels grows with 1 / edge^2
     counted = countOccupied (sample, voxel_size);
   }
   return roundNumber (voxel_size * std::sqrt (counted / wanted_voxels));

@@ -10,7 +10,8 @@ namespace pcl_ops::internal {
  * times a power of ten.
  *
  * An estimated size changes a little if the same cloud is given in other units or with
- * other rounding. Without this function the borders of voxels would move, too. */
+ * other rounding. A rounded size mostly does not, and so the borders of voxels do not
+ * move. */
 double
 roundNumber (double size);
 
@@ -18,10 +19,12 @@ roundNumber (double size);
  * voxels.
  *
  * Counts the voxels that a sample of a few thousand points occupies, with voxels so
- * large that hardly any is missed. Extrapolates to small voxels as for surfaces, where
- * the number of occupied voxels is proportional to 1 / edge^2.
+ * large that hardly any occupied one has no sampled point. Extrapolates to smaller
+ * voxels as for surfaces, where the number of occupied voxels is proportional to 1 /
+ * edge^2.
+ * \param[in] points relative to an origin near most of them, as \ref Points are
  * \return the edge [m], rounded by \ref roundNumber; 0 if fewer than two different
- * points are left without outliers */
+ * points remain without outliers */
 double
 voxelSizeFor (const Coordinates& points, double wanted_voxels);
 

@@ -9,17 +9,17 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Makes a segment in the local frame. Its list of inliers has the right size, but is
-// not filled in yet.
+// Makes a segment in the local frame, with the normal towards the viewpoint. Its list
+// of inliers has the right size, but is not filled in yet.
 PlaneSegment
 toSegment (const Moments& moments,
            const PlaneFit& fit,
            const std::optional<double>& noise,
            const Eigen::Vector3d& local_viewpoint)
 {
-  const bool faces_sensor = fit.plane.distance (local_viewpoint) >= 0.0;
+  const bool faces_viewpoint = fit.plane.distance (local_viewpoint) >= 0.0;
   return {fit.centroid,
-          faces_sensor ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal),
+          faces_viewpoint ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal),
           Orientation::Other,
           moments.about (fit.centroid),
           pcl::Indices (static_cast<std::size_t> (moments.count)),
@@ -28,7 +28,7 @@ toSegment (const Moments& moments,
 
 // Writes the indices of the points of each label to its segment, whose list of inliers
 // has the right size. Successive points mostly share a plane, so the inner loop keeps
-// the write position in a register.
+// the pointer to the next inlier in a register.
 void
 fillInInliers (const Points& points,
                const Labels& labels,
@@ -56,9 +56,10 @@ fillInInliers (const Points& points,
       std::sort (segment.inliers.begin(), segment.inliers.end());
 }
 
-// Sorts planes by descending number of points and renumbers labels and merged_into.
+// Sorts planes by descending number of points, and changes labels and merged_into to
+// the new indices of the planes.
 void
-sortByFallingCount (LabelledPlanes& found)
+sortByDescendingCount (LabelledPlanes& found)
 {
   MergedPlanes& planes = found.planes;
   std::vector<std::size_t> order (planes.moments.size());
@@ -114,7 +115,7 @@ addCopies (const Points& points, LabelledPlanes& found)
     fit.centroid = planes.moments[p].centroid();
     fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
   }
-  sortByFallingCount (found);
+  sortByDescendingCount (found);
 }
 
 std::vector<PlaneSegment>

@@ -19,17 +19,19 @@ struct LabelledPlanes {
   /** \brief For each point the index of its plane in \ref planes, or no_plane. */
   Labels labels;
   MergedPlanes planes;
+  /** \brief Number of planes that were merged into \ref planes. */
   std::size_t planes_before_merging = 0;
-  /** \brief The noise of the surroundings of each plane [m], \ref PlaneSegment::noise;
-   * an empty list if the detector does not measure it. */
+  /** \brief The noise around each plane [m], \ref PlaneSegment::noise; an empty list if
+   * the detector does not measure it. */
   std::vector<std::optional<double>> noises = {};
   /** \brief Lengths that the detector estimated from the cloud. It may leave out the
    * distance threshold of the parameters: \ref detectInFinitePoints adds that. */
   UsedLengths used = {};
 };
 
-/** \brief Returns the merging parameters. Their distance threshold defaults to theta_h,
- * as in the paper; then parameters.distance_threshold (theta_h) must be set. */
+/** \brief Returns the merging parameters. If they have no distance threshold, it
+ * becomes theta_h, as in the paper: then \p parameters.distance_threshold must be set.
+ */
 inline MergingParameters
 mergingOf (const PlaneDetectorParameters& parameters)
 {
@@ -69,7 +71,8 @@ dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
  * makes segments in the frame of the input cloud, drops small ones, sets orientations.
  * \param[in] detect the detector, called as (points, durations), returns
  * LabelledPlanes; not called without finite points
- * \param[in] step the local origin is a multiple of it [m], \ref finitePoints */
+ * \param[in] step the local origin is a multiple of it [m]; 0: \ref finitePoints
+ * chooses one */
 template <typename Detect>
 Detection
 detectInFinitePoints (const DetectorInput& input,
@@ -91,7 +94,7 @@ detectInFinitePoints (const DetectorInput& input,
   dropSmallPlanes (parameters.min_points, found.planes);
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
-  // A zero viewpoint may be the position of the sensor, or was never set: normals of
+  // A zero viewpoint may be the position of the sensor, or was never set. Normals of
   // planes that cannot have been seen from there are turned up.
   if (input.viewpoint.isZero (0.0))
     turnUnseenUp (

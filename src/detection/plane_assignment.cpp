@@ -13,48 +13,52 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Points are compared with planes in blocks. A plane too far from the bounding box of a
-// block is skipped. Blocks are small enough for compact boxes, if successive points are
-// neighbors in space, and large enough that the boxes cost little.
+// Points are compared with planes in blocks of successive points. A plane too far from
+// the bounding box of a block is skipped. If successive points are neighbors in space,
+// blocks are small enough for compact boxes. They are large enough that boxes cost
+// little.
 constexpr std::size_t block_size = 256;
-constexpr std::size_t points_per_task = 64 * block_size;
+constexpr std::size_t points_per_piece = 64 * block_size; // of a parallel loop
 // Number of planes compared with a block between checks whether all points are done.
 constexpr std::size_t planes_between_checks = 32;
 
+/** \brief A bounding box along the axes [m]. */
 struct Box {
   Eigen::Vector3d center, half_size;
 };
 
+// Returns the bounding box of points begin .. end - 1.
 Box
 boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
 {
   const auto size = static_cast<Eigen::Index> (end - begin);
   Eigen::Vector3f low;
   Eigen::Vector3f high;
-  for (const auto& [axis, values] :
-       {std::pair (0, &points.x), {1, &points.y}, {2, &points.z}}) {
-    const Eigen::Map<const Eigen::ArrayXf> coordinates (values->data() + begin, size);
+  const std::array<const float*, 3> values{
+      points.x.data(), points.y.data(), points.z.data()};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const Eigen::Map<const Eigen::ArrayXf> coordinates (values[axis] + begin, size);
     low[axis] = coordinates.minCoeff();
     high[axis] = coordinates.maxCoeff();
   }
   return {0.5 * (low + high).cast<double>(), 0.5 * (high - low).cast<double>()};
 }
 
-// Whether a point of the box may be within the threshold of a plane, with tolerance for
-// rounding of distances.
+// Whether a point of the box may be within the threshold of a plane [m], with tolerance
+// for rounding of distances to single precision.
 bool
-reaches (const Plane& plane, const Box& box, double threshold)
+mayBeNear (const Plane& plane, const Box& box, double threshold)
 {
-  constexpr double single_precision = 1e-5;
-  const double reach = plane.normal.cwiseAbs().dot (box.half_size);
+  constexpr double relative_rounding = 1e-5;
+  const double half_depth = plane.normal.cwiseAbs().dot (box.half_size);
   const double rounding =
-      single_precision * (std::abs (plane.offset) + box.center.norm() + reach);
-  return std::abs (plane.distance (box.center)) <= threshold + reach + rounding;
+      relative_rounding * (std::abs (plane.offset) + box.center.norm() + half_depth);
+  return std::abs (plane.distance (box.center)) <= threshold + half_depth + rounding;
 }
 
-// Assigns points begin .. end - 1, at most block_size. A point goes to a plane if it is
-// nearer to it than the point's limit: at first the threshold, then the distance to its
-// plane, or 0 by rule First.
+// Assigns points begin .. end - 1, at most block_size of them. A point goes to a plane
+// if it is nearer to the plane than its limit: at first the threshold [m]; once it has
+// a plane, its distance to that plane, or 0 by rule First.
 void
 assignBlock (const Coordinates& points,
              std::size_t begin,
@@ -69,10 +73,10 @@ assignBlock (const Coordinates& points,
   limits.fill (threshold);
   std::size_t compared_planes = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (!reaches (planes[p], box, threshold))
+    if (!mayBeNear (planes[p], box, threshold))
       continue;
-    // By rule First the block is done once all points have a plane, and so a limit of
-    // 0. With thousands of planes, the first few hundred often take all points.
+    // By rule First the block is done once all points have a plane, and with it a limit
+    // of 0. With thousands of planes, the first few hundred often take all points.
     const float* const limits_end = limits.data() + (end - begin);
     if (rule == AssignmentRule::First &&
         ++compared_planes % planes_between_checks == 0 &&
@@ -81,14 +85,14 @@ assignBlock (const Coordinates& points,
       return;
     const auto label = static_cast<std::int32_t> (p);
     std::int32_t* const label_of = labels.data();
-    // By rule First the limit becomes 0: no distance is below it, so the plane stays. A
-    // factor instead of a branch lets the loop be vectorized.
-    const float factor = rule == AssignmentRule::First ? 0.0f : 1.0f;
+    // By rule First the limit becomes 0: no distance is below it, so the point keeps
+    // its plane. A factor instead of a branch lets the loop be vectorized.
+    const float limit_factor = rule == AssignmentRule::First ? 0.0f : 1.0f;
     const auto assign = [=, &limits] (std::size_t i, float distance) {
       float& limit = limits[i - begin];
       const bool is_nearer = distance < limit;
       label_of[i] = is_nearer ? label : label_of[i];
-      limit = is_nearer ? factor * distance : limit;
+      limit = is_nearer ? limit_factor * distance : limit;
     };
     forDistances (FloatPlane (planes[p]), points, begin, end, assign);
   }
@@ -105,13 +109,13 @@ assignPoints (const Coordinates& points,
 {
   const auto threshold = static_cast<float> (distance_threshold);
   Labels labels (points.size(), no_plane);
-  const auto assign = [&] (std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += block_size) {
-      const std::size_t last = std::min (i + block_size, end);
-      assignBlock (points, i, last, planes, threshold, rule, labels);
+  const auto assignPiece = [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; block += block_size) {
+      const std::size_t block_end = std::min (block + block_size, end);
+      assignBlock (points, block, block_end, planes, threshold, rule, labels);
     }
   };
-  parallelFor (threads, points.size(), points_per_task, assign);
+  parallelFor (threads, points.size(), points_per_piece, assignPiece);
   return labels;
 }
 
@@ -123,19 +127,20 @@ momentsOfLabels (const Coordinates& points,
 {
   // A piece has at least this many points per plane. Otherwise, with thousands of
   // planes, its sums would take more memory than its points.
-  constexpr std::size_t points_per_plane = 8;
+  constexpr std::size_t min_points_per_plane = 8;
   const auto momentsOfPiece = [&] (std::size_t begin, std::size_t end) {
     std::vector<Moments> moments (planes);
     for (std::size_t i = begin; i < end; ++i)
-      // no_plane is negative, so the cast makes it larger than any label
+      // no_plane is negative, so that the cast makes it larger than any label.
       if (const auto label = static_cast<std::size_t> (labels[i]); label < planes)
         moments[label].add (points.x[i], points.y[i], points.z[i]);
     return moments;
   };
-  const std::size_t grain = std::max (points_per_task, points_per_plane * planes);
+  const std::size_t piece_size =
+      std::max (points_per_piece, min_points_per_plane * planes);
   const std::vector<std::vector<Moments>> moments_of_pieces =
-      parallelChunks (threads, points.size(), grain, momentsOfPiece);
-  // The pieces are added in order: the same digits for any number of threads.
+      parallelPieces (threads, points.size(), piece_size, momentsOfPiece);
+  // The pieces are added in order: the sums are the same for any number of threads.
   std::vector<Moments> moments (planes);
   for (const std::vector<Moments>& of_piece : moments_of_pieces)
     for (std::size_t p = 0; p < planes; ++p)

@@ -12,12 +12,13 @@ namespace pcl_ops::internal {
 /** \brief The plane of each point and the moments of each plane. */
 struct AssignedPoints {
   Labels labels;
-  /** \brief Moments of the points of each plane about the origin of their frame. */
+  /** \brief Moments of the points of each plane, about the zero of their frame. */
   std::vector<Moments> moments;
 };
 
-/** \brief Assigns points to planes nearer than \p distance_threshold, theta_h [m].
+/** \brief Assigns points to planes nearer than a threshold.
  * \param[in] planes unbounded planes in the frame of the points
+ * \param[in] distance_threshold theta_h [m]
  * \param[in] rule selects the plane if several are near enough
  * \return for each point the index of its plane in \p planes, or no_plane */
 Labels
@@ -28,14 +29,15 @@ assignPoints (const Coordinates& points,
               unsigned threads);
 
 /** \brief Returns the moments of the points of each label from 0 to planes - 1, about
- * the origin of their frame. Points with other labels, as no_plane, are left out. */
+ * the zero of their frame. Points with other labels, as no_plane, are left out. */
 std::vector<Moments>
 momentsOfLabels (const Coordinates& points,
                  const Labels& labels,
                  std::size_t planes,
                  unsigned threads);
 
-/** \brief Calls \ref assignPoints and adds the moments of the points of each plane. */
+/** \brief Calls \ref assignPoints, and returns its labels with the moments of the
+ * points of each plane. */
 AssignedPoints
 assignToUnboundedPlanes (const Coordinates& points,
                          const std::vector<Plane>& planes,
@@ -43,9 +45,9 @@ assignToUnboundedPlanes (const Coordinates& points,
                          AssignmentRule rule,
                          unsigned threads);
 
-/** \brief Replaces each label by the label of the plane that its plane was merged into.
- * no_plane stays.
- * \param[in] merged_into for each plane its new label, or no_plane if it was dropped */
+/** \brief Replaces each label by the new label of its plane; no_plane stays.
+ * \param[in] merged_into for each plane the label of the plane that it was merged into,
+ * or no_plane if it was dropped */
 void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads);
 

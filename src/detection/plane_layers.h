@@ -9,14 +9,16 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Splits each plane that consists of two parallel layers. The two sides of a
- * thin wall are close neighbors, so that they are found as one plane. If two groups
- * explain most of the variance of the signed distances of the points to the plane
- * (\ref bestTwoGroups), the points of the upper group become a new plane. A plane of
- * fewer than 50 points is never split.
+/** \brief Splits each plane that consists of two parallel layers, as the two sides of a
+ * thin wall, which are so near each other that they are found as one plane. If two
+ * groups explain most of the variance of the signed distances of the points to the
+ * plane
+ * (\ref bestTwoGroups), the points of the group on the side of the normal become a new
+ * plane. A plane of fewer than 50 points is never split.
  * \param[in] min_apart for each plane the least distance between two layers [m]
- * \param[in,out] labels of the points; new planes are numbered from \p is_kept.size()
- * \param[in,out] is_kept for each plane 1, or 0 to skip it; new planes add a 1 each
+ * \param[in,out] labels of the points; the labels of new planes begin at
+ * \p is_kept.size()
+ * \param[in,out] is_kept for each plane 1, or 0 to skip it; each new plane adds a 1
  * \return whether any plane was split */
 bool
 splitLayers (const Coordinates& points,

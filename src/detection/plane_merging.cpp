@@ -19,8 +19,9 @@ struct Group {
   std::vector<std::size_t> members;
 };
 
+// Sorts groups by descending number of points.
 void
-sortByFallingCount (std::vector<Group>& groups)
+sortByDescendingCount (std::vector<Group>& groups)
 {
   std::stable_sort (
       groups.begin(), groups.end(), [] (const Group& first, const Group& second) {
@@ -28,8 +29,8 @@ sortByFallingCount (std::vector<Group>& groups)
       });
 }
 
-// Makes a group of each plane whose points are not all on a line or equal, by
-// descending number of points.
+// Makes a group of each plane whose points span a plane: points that are all equal or
+// on one line do not. The groups are sorted by descending number of points.
 std::vector<Group>
 groupsWithAPlane (const std::vector<Moments>& planes)
 {
@@ -37,7 +38,7 @@ groupsWithAPlane (const std::vector<Moments>& planes)
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (const std::optional<PlaneFit> fit = fitPlane (planes[i]))
       groups.push_back ({planes[i], *fit, {i}});
-  sortByFallingCount (groups);
+  sortByDescendingCount (groups);
   return groups;
 }
 
@@ -47,14 +48,16 @@ groupsWithAPlane (const std::vector<Moments>& planes)
 bool
 agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {
-  // Exact points have rounding of coordinates as noise: 1e-6 of their spread.
-  constexpr double squared_rounding = 1e-12;
-  const double rounding = squared_rounding * larger.fit.variances[2];
-  const auto [cleaner, noisier] =
+  // The noise of exact points is the rounding of their coordinates: 1e-6 of their
+  // spread along the plane.
+  constexpr double rounding_share_of_variance = 1e-12;
+  const double rounding_variance = rounding_share_of_variance * larger.fit.variances[2];
+  const auto [cleaner, noisier] = // squared noises [m^2]
       std::minmax (larger.fit.variances[0], smaller.fit.variances[0]);
   return meanSquaredDistance (smaller.moments, larger.fit.plane) <
          noise_factor * noise_factor *
-             commonSquaredNoise (noisier + rounding, cleaner + rounding);
+             commonSquaredNoise (noisier + rounding_variance,
+                                 cleaner + rounding_variance);
 }
 
 bool
@@ -81,17 +84,21 @@ absorb (Group& larger, const Group& smaller)
   return true;
 }
 
-// Returns the smallest cosine between the normals of planes to merge. Thousands of
-// planes have millions of pairs: this cheap test rejects most of them first.
+// Returns the smallest absolute cosine between the normals of planes to merge, less a
+// tolerance for rounding. Thousands of planes have millions of pairs: the cheap test of
+// the cosine rejects most of them first.
 double
 minCosineWithin (double angle_threshold)
 {
   constexpr double rounding = 1e-9;
-  const double largest_angle = std::acos (0.0); // pi/2, without signs of the normals
+  const double largest_angle =
+      std::acos (0.0); // pi/2: the signs of normals do not count
   return std::cos (std::min (angle_threshold, largest_angle)) - rounding;
 }
 
-// Merges groups in one pass over all pairs. Returns true if any pair was merged.
+// Merges groups in one pass over all pairs.
+// \param[in,out] groups by descending number of points
+// \return whether any pair was merged
 bool
 mergeInOnePass (std::vector<Group>& groups,
                 double angle_threshold,
@@ -104,12 +111,12 @@ mergeInOnePass (std::vector<Group>& groups,
   for (const Group& group : groups)
     normals.push_back (group.fit.plane.normal);
   std::vector<bool> is_absorbed (groups.size(), false);
-  const auto absorbs = [&] (Group& larger, const Group& other) {
-    const bool are_one =
-        areCoplanar (larger.fit, other.fit, angle_threshold, distance_threshold) ||
-        (areWithinAngle (larger.fit, other.fit, angle_threshold) &&
-         agreeWithinNoise (larger, other, noise_factor));
-    return are_one && absorb (larger, other);
+  const auto absorbIfOnePlane = [&] (Group& larger, const Group& smaller) {
+    const bool are_one_plane =
+        areCoplanar (larger.fit, smaller.fit, angle_threshold, distance_threshold) ||
+        (areWithinAngle (larger.fit, smaller.fit, angle_threshold) &&
+         agreeWithinNoise (larger, smaller, noise_factor));
+    return are_one_plane && absorb (larger, smaller);
   };
   std::vector<Group> kept;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -117,7 +124,7 @@ mergeInOnePass (std::vector<Group>& groups,
       continue;
     for (std::size_t j = i + 1; j < groups.size(); ++j)
       if (std::abs (normals[i].dot (normals[j])) > min_cosine && !is_absorbed[j] &&
-          absorbs (groups[i], groups[j])) {
+          absorbIfOnePlane (groups[i], groups[j])) {
         is_absorbed[j] = true;
         normals[i] = groups[i].fit.plane.normal;
       }
@@ -125,7 +132,7 @@ mergeInOnePass (std::vector<Group>& groups,
   }
   const bool has_merged = kept.size() < groups.size();
   groups = std::move (kept);
-  sortByFallingCount (groups);
+  sortByDescendingCount (groups);
   return has_merged;
 }
 

@@ -10,6 +10,7 @@
 #include <pcl/sample_consensus/impl/sac_model_plane.hpp>
 #endif
 
+// Compiles the template for PCL's point types with normals.
 #ifndef PCL_NO_PRECOMPILE
 PCL_INSTANTIATE (SampleConsensusModelOrientedPoint,
                  (pcl::PointNormal) (pcl::PointXYZRGBNormal) (pcl::PointXYZINormal) (

@@ -10,9 +10,10 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane in single precision, as the coordinates of points are. */
+/** \brief A \ref Plane in single precision, as the coordinates of points are. */
 struct FloatPlane {
-  float nx = 0.0f, ny = 0.0f, nz = 0.0f, offset = 0.0f;
+  float nx = 0.0f, ny = 0.0f, nz = 0.0f; // unit normal
+  float offset = 0.0f;                   // [m]
 
   FloatPlane() = default;
 
@@ -31,9 +32,9 @@ struct FloatPlane {
   }
 };
 
-/** \brief Calls visit (i, distance) for points begin .. end - 1 with their unsigned
- * distance to the plane [m]. The compiler vectorizes the loop if visit has no branch.
- */
+/** \brief Calls visit (i, distance) for each i from begin to end - 1, with the unsigned
+ * distance of point i to the plane [m]. The compiler vectorizes the loop if visit has
+ * no branch. */
 template <typename Visit>
 inline void
 forDistances (const FloatPlane& plane,
@@ -42,12 +43,12 @@ forDistances (const FloatPlane& plane,
               std::size_t end,
               Visit&& visit)
 {
-  const FloatPlane p = plane;
+  const FloatPlane copy = plane; // visit cannot change it, as far as the compiler knows
   const float* const x = points.x.data();
   const float* const y = points.y.data();
   const float* const z = points.z.data();
   for (std::size_t i = begin; i < end; ++i)
-    visit (i, p.distance (x[i], y[i], z[i]));
+    visit (i, copy.distance (x[i], y[i], z[i]));
 }
 
 } // namespace pcl_ops::internal

@@ -8,8 +8,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Returns the unit axes u and v of a plane as columns. With its unit normal as
- * third axis they are a right-handed frame. They depend on the normal only. */
+/** \brief Returns two unit axes u and v in a plane as columns: u x v is its unit
+ * normal. They depend on the normal only. */
 inline Eigen::Matrix<double, 3, 2>
 planeAxes (const Eigen::Vector3d& normal)
 {
@@ -20,7 +20,7 @@ planeAxes (const Eigen::Vector3d& normal)
 }
 
 /** \brief Cross product: twice the signed area of the triangle that two vectors span;
- * positive if the second vector is to the left of the first. */
+ * positive if the second vector points to the left of the first one. */
 inline double
 cross (const Eigen::Vector2d& first, const Eigen::Vector2d& second)
 {
@@ -41,11 +41,11 @@ twiceTheArea (const Eigen::Vector2d& a,
 inline double
 areaOf (const std::vector<Eigen::Vector2d>& polygon)
 {
-  double twice = 0.0;
+  double twice_the_area = 0.0;
   // Add triangles from the first corner: about a far origin the sum loses digits.
   for (std::size_t i = 2; i < polygon.size(); ++i)
-    twice += twiceTheArea (polygon[0], polygon[i - 1], polygon[i]);
-  return 0.5 * twice;
+    twice_the_area += twiceTheArea (polygon[0], polygon[i - 1], polygon[i]);
+  return 0.5 * twice_the_area;
 }
 
 /** \brief Whether a point lies inside or on the sides of a triangle, which may be

@@ -71,9 +71,9 @@ fitPlane (const Moments& moments)
   const Eigen::Matrix3d covariance = moments.covariance();
   internal::PrincipalAxes axes = internal::principalAxes (covariance);
   const Eigen::Vector3d& variances = axes.values;
-  // Relative to the length: single precision inputs give a line this much width.
-  constexpr double smallest_width = 1e-5;
-  if (!(variances[1] > smallest_width * smallest_width * variances[2]))
+  // Rounding of coordinates to single precision gives a line nearly this much width.
+  constexpr double min_width_over_length = 1e-5;
+  if (!(variances[1] > min_width_over_length * min_width_over_length * variances[2]))
     return std::nullopt;
   // If the two smallest variances are equal, as for a ball or a rod, the closed form
   // returns a zero normal: take any eigenvector of the smallest variance.
@@ -89,8 +89,9 @@ double
 PlaneSegment::rms() const
 {
   const double variance = normal.dot (moments.covariance() * normal);
-  const double beside = normal.dot (moments.centroid() - centroid);
-  return std::sqrt (std::max (0.0, variance + beside * beside));
+  // The plane need not contain the centroid of the moments.
+  const double offset = normal.dot (moments.centroid() - centroid);
+  return std::sqrt (std::max (0.0, variance + offset * offset));
 }
 
 const char*
@@ -106,10 +107,11 @@ orientationOf (const Eigen::Vector3d& normal,
                const Eigen::Vector3d& up,
                double tolerance)
 {
-  const double height = std::min (1.0, std::abs (normal.dot (up)));
-  if (std::acos (height) <= tolerance)
+  const double cosine = std::min (1.0, std::abs (normal.dot (up)));
+  if (std::acos (cosine) <= tolerance)
     return Orientation::Horizontal;
-  if (std::asin (height) <= tolerance)
+  if (std::asin (cosine) <=
+      tolerance) // 90 degrees less the angle from up to the normal
     return Orientation::Vertical;
   return Orientation::Other;
 }
@@ -118,7 +120,7 @@ double
 slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up)
 {
   // Use sine and cosine: the sine alone is inaccurate near 90 degrees, the cosine alone
-  // near 0.
+  // is inaccurate near 0.
   return std::atan2 (normal.cross (up).norm(), std::abs (normal.dot (up)));
 }
 
@@ -130,9 +132,9 @@ nameOrientations (std::vector<PlaneSegment>& planes,
   if (!up.allFinite() || up.isZero (0.0) ||
       !(tolerance >= 0.0 && tolerance <= right_angle))
     return false;
-  const Eigen::Vector3d unit = up.stableNormalized();
+  const Eigen::Vector3d unit_up = up.stableNormalized();
   for (PlaneSegment& plane : planes)
-    plane.orientation = orientationOf (plane.normal, unit, tolerance);
+    plane.orientation = orientationOf (plane.normal, unit_up, tolerance);
   return true;
 }
 

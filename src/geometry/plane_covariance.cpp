@@ -14,25 +14,30 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** \brief For each square block of the plane, by its indices along both axes, the sum
- * of (s, t, 1) h over its inliers, with coordinates s and t in the plane and the height
- * h over it. */
-using Blocks = std::map<std::pair<int, int>, Vector3d>;
+/** \brief Indices of a square block of the plane along both axes. */
+using Block = std::pair<int, int>;
 
-/** \brief The side of a block is the root of the plane's area over this number. So
- * there are some 64 blocks, far larger than the range of correlated sensor errors. */
+/** \brief For each block with inliers the sum of (s, t, 1) h over these, with their
+ * coordinates s and t in the plane and their height h over it [m]. */
+using BlockSums = std::map<Block, Vector3d>;
+
+/** \brief The side of a block is the square root of the plane's area, divided by this
+ * number. So a plane has some 64 blocks, far larger than the range of correlated sensor
+ * errors. */
 constexpr double blocks_per_side = 8.0;
 
 // Number of errors that a plane fit estimates: two tilts and an offset.
 constexpr double fitted_errors = 3.0;
 
-Blocks
-blocksOf (const CloudView& cloud,
-          const PlaneSegment& plane,
-          const Eigen::Matrix<double, 3, 2>& axes,
-          double side)
+// \param[in] axes of the plane, PlaneCovariance::axes
+// \param[in] side of a block [m]
+BlockSums
+blockSums (const CloudView& cloud,
+           const PlaneSegment& plane,
+           const Eigen::Matrix<double, 3, 2>& axes,
+           double side)
 {
-  Blocks blocks;
+  BlockSums sums;
   for (const pcl::index_t i : plane.inliers) {
     const float* const point = cloud[i];
     const Vector3d offset = Vector3d (point[0], point[1], point[2]) - plane.centroid;
@@ -41,10 +46,10 @@ blocksOf (const CloudView& cloud,
     const Eigen::Vector2d s_and_t = axes.transpose() * offset;
     const Eigen::Array2i block = (s_and_t / side).array().floor().cast<int>();
     Vector3d& sum =
-        blocks.try_emplace ({block.x(), block.y()}, Vector3d::Zero()).first->second;
+        sums.try_emplace ({block.x(), block.y()}, Vector3d::Zero()).first->second;
     sum += plane.normal.dot (offset) * Vector3d (s_and_t.x(), s_and_t.y(), 1.0);
   }
-  return blocks;
+  return sums;
 }
 
 } // namespace
@@ -57,7 +62,8 @@ independentPlaneCovariance (const PlaneSegment& plane)
     return std::nullopt;
   PlaneCovariance covariance;
   covariance.axes = internal::planeAxes (plane.normal);
-  // The upper left of A^T A / n: s and t start at the centroid, so their means are 0.
+  // The upper left part of A^T A / n, with A of the description of planeCovariance. The
+  // coordinates s and t start at the centroid, so that their means are 0.
   const Eigen::Matrix2d spread =
       covariance.axes.transpose() * plane.moments.covariance() * covariance.axes;
   const double rms = plane.rms();
@@ -78,25 +84,28 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   const double n = plane.moments.count;
   const Eigen::Matrix2d spread =
       covariance->axes.transpose() * plane.moments.covariance() * covariance->axes;
-  // A uniform rectangle with this covariance has the area 12 sqrt (det).
+  // A rectangle of evenly spread points with this covariance has the area 12 sqrt
+  // (det).
   const double area = 12.0 * std::sqrt (std::max (0.0, spread.determinant()));
   if (!(area > 0.0))
     return std::nullopt;
-  const Blocks blocks =
-      blocksOf (cloud, plane, covariance->axes, std::sqrt (area) / blocks_per_side);
-  const auto block_count = static_cast<double> (blocks.size());
+  const BlockSums sums =
+      blockSums (cloud, plane, covariance->axes, std::sqrt (area) / blocks_per_side);
+  const auto block_count = static_cast<double> (sums.size());
   if (block_count < fitted_errors + 1.0)
     return std::nullopt;
-  Matrix3d scatter = Matrix3d::Zero();
-  for (const auto& [block, sum] : blocks)
-    scatter += sum * sum.transpose();
+  Matrix3d sum_of_products = Matrix3d::Zero();
+  for (const auto& [block, sum] : sums)
+    sum_of_products += sum * sum.transpose();
   // (A^T A)^-1 of the description of planeCovariance.
   Matrix3d inverse = Matrix3d::Identity() / n;
   inverse.topLeftCorner<2, 2>() = spread.inverse() / n;
-  // Measured on planes of depth images that were matched by exact poses.
+  // True errors over estimated ones, measured on planes of depth images that were
+  // matched by exact poses: f of the description of planeCovariance.
   constexpr double measured_factor = 1.7;
   covariance->matrix = measured_factor * measured_factor * block_count /
-                       (block_count - fitted_errors) * inverse * scatter * inverse;
+                       (block_count - fitted_errors) * inverse * sum_of_products *
+                       inverse;
   return covariance;
 }
 

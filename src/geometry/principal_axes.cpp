@@ -11,33 +11,43 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Matrices are processed side by side: the loops over lanes are vectorized.
+// Eight matrices are processed side by side, one in each lane: the compiler vectorizes
+// the loops over lanes.
 constexpr std::size_t lanes = 8;
 using Lanes = std::array<double, lanes>;
 
+/** \brief The upper triangles of the matrices. */
 struct SymmetricMatrices {
   Lanes xx, xy, xz, yy, yz, zz;
 };
 
+/** \brief The unit eigenvectors (x, y, z) of the smallest eigenvalues, and all
+ * eigenvalues of the matrices. */
 struct Axes {
-  Lanes x, y, z, smallest, middle, largest;
+  Lanes x, y, z;
+  Lanes smallest, middle, largest;
 };
 
 // Eigenvalues are computed of matrices scaled to a trace of 1. Then their sum is 1, and
 // the smallest one is at most this.
 constexpr double max_smallest_root = 1.0 / 3.0;
 
-// Returns the start of Newton's method for x^3 - x^2 + minors x - determinant. Without
-// its cubic term the polynomial has a root just above the smallest one: for flat sets
-// of points it is a good start. Otherwise start at zero, which is below all roots but
-// may be far away.
+// Returns the start of Newton's method for the smallest root of the characteristic
+// polynomial x^3 - x^2 + minors x - determinant, where minors is the sum of the
+// principal minors of order two. Without its cubic term the polynomial has a root just
+// above the smallest one: for flat sets of points it is a good start. For other sets
+// the start is 0, which is below all roots but may be far away.
 inline double
 startOfRoot (double minors, double determinant)
 {
   const double discriminant = std::max (0.0, minors * minors - 4.0 * determinant);
   const double start = 2.0 * determinant / (minors + std::sqrt (discriminant));
   const double slope = (3.0 * start - 2.0) * start + minors;
-  const bool is_near_root = start <= max_smallest_root && slope > 0.25 * minors;
+  // The slope is minors at x = 0, and 0 at the maximum between the smallest and the
+  // middle root.
+  constexpr double min_share_of_slope = 0.25;
+  const bool is_near_root =
+      start <= max_smallest_root && slope > min_share_of_slope * minors;
   return is_near_root ? start : 0.0;
 }
 
@@ -74,22 +84,23 @@ struct LongestVector {
   double x;
   double y;
   double z;
-  double squared;
+  double squared_length;
 
   void
   take (double other_x, double other_y, double other_z)
   {
-    const double other = other_x * other_x + other_y * other_y + other_z * other_z;
-    const bool is_longer = other > squared;
+    const double other_squared_length =
+        other_x * other_x + other_y * other_y + other_z * other_z;
+    const bool is_longer = other_squared_length > squared_length;
     x = is_longer ? other_x : x;
     y = is_longer ? other_y : y;
     z = is_longer ? other_z : z;
-    squared = is_longer ? other : squared;
+    squared_length = is_longer ? other_squared_length : squared_length;
   }
 };
 
-// Finds the unit null vectors of matrices of rank two: the longest cross product of two
-// rows, normalized; zero if the rows are parallel to within rounding.
+// Finds the unit null vectors of matrices of rank two. Each is the longest cross
+// product of two rows, normalized; zero if all rows are parallel to within rounding.
 inline void
 findNormals (const SymmetricMatrices& m, Axes& axes)
 {
@@ -105,7 +116,7 @@ findNormals (const SymmetricMatrices& m, Axes& axes)
     normal.take (m.yz[i] * m.xz[i] - m.zz[i] * m.xy[i],
                  m.zz[i] * m.xx[i] - m.xz[i] * m.xz[i],
                  m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
-    const double norm = std::sqrt (normal.squared);
+    const double norm = std::sqrt (normal.squared_length);
     const double inverse = norm > smallest_norm ? 1.0 / norm : 0.0;
     axes.x[i] = norm > smallest_norm ? normal.x * inverse : 0.0;
     axes.y[i] = norm > smallest_norm ? normal.y * inverse : 0.0;
@@ -113,7 +124,8 @@ findNormals (const SymmetricMatrices& m, Axes& axes)
   }
 }
 
-// \param[in,out] m overwritten
+// Finds the principal axes of all lanes.
+// \param[in,out] m the matrices; overwritten
 PCL_OPS_VECTORIZED
 void
 findAxes (SymmetricMatrices& m, Axes& axes)
@@ -127,14 +139,16 @@ findAxes (SymmetricMatrices& m, Axes& axes)
     const double inverse = trace > 0.0 ? 1.0 / trace : 0.0;
     for (Lanes* entry : {&m.xx, &m.xy, &m.xz, &m.yy, &m.yz, &m.zz})
       (*entry)[i] = trace > 0.0 ? inverse * (*entry)[i] : 0.0;
-    const double yz = m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i];
+    const double minor_yz = m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i];
     minors[i] = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i] + m.xx[i] * m.zz[i] -
-                m.xz[i] * m.xz[i] + yz;
-    determinant[i] = m.xx[i] * yz + m.xy[i] * (m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i]) +
+                m.xz[i] * m.xz[i] + minor_yz;
+    determinant[i] = m.xx[i] * minor_yz +
+                     m.xy[i] * (m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i]) +
                      m.xz[i] * (m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
   }
   const Lanes smallest = smallestRoots (minors, determinant);
   for (std::size_t i = 0; i < lanes; ++i) {
+    // Sum and product of the two larger eigenvalues.
     const double sum = 1.0 - smallest[i];
     const double product = std::max (0.0, minors[i] - smallest[i] * sum);
     const double largest =
@@ -151,14 +165,14 @@ findAxes (SymmetricMatrices& m, Axes& axes)
 } // namespace
 
 void
-principalAxes (const Eigen::Matrix3d* matrices, std::size_t number, PrincipalAxes* axes)
+principalAxes (const Eigen::Matrix3d* matrices, std::size_t count, PrincipalAxes* axes)
 {
-  for (std::size_t begin = 0; begin < number; begin += lanes) {
+  for (std::size_t begin = 0; begin < count; begin += lanes) {
     SymmetricMatrices batch;
     Axes found;
     for (std::size_t i = 0; i < lanes; ++i) {
       // Lanes behind the last matrix repeat it.
-      const Eigen::Matrix3d& matrix = matrices[std::min (begin + i, number - 1)];
+      const Eigen::Matrix3d& matrix = matrices[std::min (begin + i, count - 1)];
       batch.xx[i] = matrix (0, 0);
       batch.xy[i] = matrix (0, 1);
       batch.xz[i] = matrix (0, 2);
@@ -167,7 +181,7 @@ principalAxes (const Eigen::Matrix3d* matrices, std::size_t number, PrincipalAxe
       batch.zz[i] = matrix (2, 2);
     }
     findAxes (batch, found);
-    for (std::size_t i = 0; i < std::min (lanes, number - begin); ++i) {
+    for (std::size_t i = 0; i < std::min (lanes, count - begin); ++i) {
       axes[begin + i].values = {found.smallest[i], found.middle[i], found.largest[i]};
       axes[begin + i].normal = {found.x[i], found.y[i], found.z[i]};
     }

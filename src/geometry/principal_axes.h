@@ -11,8 +11,9 @@ namespace pcl_ops::internal {
 /** \brief Eigenvalues and the smallest eigenvector of a symmetric, positive
  * semi-definite matrix: all that a plane fit needs of a covariance. */
 struct PrincipalAxes {
-  /** \brief Unit eigenvector of the smallest eigenvalue; zero if the two smallest
-   * eigenvalues are equal to within rounding, as then no single direction has it. */
+  /** \brief Unit eigenvector of the smallest eigenvalue, with either sign; zero if the
+   * two smallest eigenvalues are equal to within rounding: then it has many unit
+   * eigenvectors. */
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /** \brief Ascending eigenvalues. */
   Eigen::Vector3d values = Eigen::Vector3d::Zero();
@@ -29,6 +30,7 @@ struct PrincipalAxes {
 void
 principalAxes (const Eigen::Matrix3d* matrices, std::size_t count, PrincipalAxes* axes);
 
+/** \brief Computes the principal axes of one matrix. */
 PrincipalAxes
 principalAxes (const Eigen::Matrix3d& matrix);
 

@@ -11,7 +11,8 @@ namespace pcl_ops::internal {
 struct TwoGroups {
   /** \brief Index of the first value of the upper group. */
   std::size_t first_above = 0;
-  double apart = 0.0; // distance between the means of both groups
+  /** \brief Distance between the means of both groups, in the unit of the values. */
+  double apart = 0.0;
   /** \brief Between-group sum of squares over the total sum of squares: 1 if the values
    * of each group are equal. The best division of a normal distribution has .64, that
    * of a uniform distribution .75. */

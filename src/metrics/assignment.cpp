@@ -13,8 +13,8 @@ using Index = Eigen::Index;
 constexpr Index none = -1;
 
 /** The assigned pairs of the rows added so far, and prices (dual variables) that prove
- * them optimal: costs are negative benefits, and the cost reduced by both prices is
- * zero for each pair and never negative. */
+ * them optimal. The cost of a pair is its negative benefit. The reduced cost, less both
+ * prices, is zero for each assigned pair, and not negative for any other pair. */
 struct Assignment {
   explicit Assignment (const Eigen::MatrixXd& all_benefits)
   : benefit (all_benefits)
@@ -30,7 +30,7 @@ struct Assignment {
   }
 
   double
-  sum () const
+  sumOfBenefits () const
   {
     double sum = 0.0;
     for (Index column = 0; column < benefit.cols(); ++column)
@@ -46,7 +46,8 @@ struct Assignment {
   std::vector<Index> row_of_column;
 };
 
-/** Shortest alternating paths from an unassigned row to all columns (Dijkstra). */
+/** The shortest alternating paths from an unassigned row to all columns (Dijkstra):
+ * from a row to any column, and from a column to the row assigned to it. */
 struct PathTree {
   explicit PathTree (Index columns)
   : length (
@@ -55,7 +56,8 @@ struct PathTree {
   , is_settled (std::size_t (columns), false)
   {}
 
-  /** Returns the column with the shortest path of those that are not settled. */
+  /** Returns the column with the shortest path of those that are not settled; none if
+   * all are settled. */
   Index
   nearestUnsettledColumn () const
   {
@@ -70,12 +72,16 @@ struct PathTree {
   Eigen::VectorXd length;
   /** For each column the column before it on its path; none for the first column. */
   std::vector<Index> previous;
+  /** For each column whether its path is final. */
   std::vector<bool> is_settled;
   /** The columns whose paths are final. */
   std::vector<Index> settled = {};
 };
 
-/** Extends the paths by the edges of \p row, the end of the path to \p last_column. */
+/** Extends a path by one step to each column that is not settled.
+ * \param[in] row end of the path
+ * \param[in] last_column last column of the path, none if the path is only \p row
+ * \param[in] length_so_far of the path */
 void
 relaxColumns (const Assignment& assignment,
               Index row,
@@ -94,8 +100,8 @@ relaxColumns (const Assignment& assignment,
   }
 }
 
-/** Grows the tree from a row until it reaches the nearest unassigned column; returns
- * this column. */
+/** Grows the tree from an unassigned row until it reaches the nearest unassigned
+ * column; returns this column. */
 Index
 findFreeColumn (const Assignment& assignment, Index start_row, PathTree& tree)
 {
@@ -153,7 +159,7 @@ maximumAssignment (const Eigen::MatrixXd& benefit)
   Assignment assignment (benefit);
   for (Index row = 0; row < benefit.rows(); ++row)
     addRow (assignment, row);
-  return assignment.sum();
+  return assignment.sumOfBenefits();
 }
 
 } // namespace pcl_ops::evaluation

@@ -6,8 +6,8 @@
 
 #include "assignment.h"
 #include "partitions.h"
+#include "plane_marks.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -25,13 +25,14 @@ shareOf (std::size_t part, std::size_t whole, double share_of_none)
   return whole == 0 ? share_of_none : double (part) / double (whole);
 }
 
-/** Returns the number of common points under the one-to-one assignment of planes that
- * maximizes it (the paper's Hungarian assignment, section IV). */
+/** Returns the largest number of points that true planes have in common with found
+ * planes under a one-to-one assignment (the paper's Hungarian assignment, section IV).
+ * \throw std::length_error for more than 10^8 pairs of planes */
 std::size_t
 pointsOfAssignment (const Confusion& confusion)
 {
-  // More would be a matrix of over 0.8 GB. No real cloud has so many labels, only a
-  // field that is no labels.
+  // More pairs would be a matrix of over 0.8 GB. No real cloud has so many planes, only
+  // a field of other numbers that was mistaken for labels.
   constexpr std::size_t max_plane_pairs = 100'000'000;
   const std::size_t rows = confusion.truth.size();
   const std::size_t columns = confusion.result.size();
@@ -39,16 +40,17 @@ pointsOfAssignment (const Confusion& confusion)
     throw std::length_error (std::to_string (rows) + " and " +
                              std::to_string (columns) +
                              " labels are too many for planes");
-  Eigen::MatrixXd common = Eigen::MatrixXd::Zero (rows, columns);
+  Eigen::MatrixXd common_points = Eigen::MatrixXd::Zero (rows, columns);
   for (const Overlap& overlap : confusion.overlaps)
-    common (overlap.truth, overlap.result) = double (overlap.points);
+    common_points (overlap.truth, overlap.result) = double (overlap.points);
   // maximumAssignment takes no more rows than columns.
   return std::size_t (maximumAssignment (
-      rows > columns ? Eigen::MatrixXd (common.transpose()) : common));
+      rows > columns ? Eigen::MatrixXd (common_points.transpose()) : common_points));
 }
 
-/** Returns the share of points whose class is the same on both sides. Points on no
- * plane, or whose label spans no plane, have the class Other. */
+/** Returns the share of points whose class is the same in truth and result. The class
+ * is the orientation of the point's plane; Other for points on no plane, or whose label
+ * spans no plane. */
 double
 classificationAccuracy (const Confusion& confusion,
                         const std::vector<PlaneSegment>& truth,
@@ -66,140 +68,40 @@ classificationAccuracy (const Confusion& confusion,
   return shareOf (right, points, 1.0);
 }
 
-/** Marks for each plane of one side, truth or result. */
-struct Verdicts {
-  /** \param[in] id_in_overlap &Overlap::truth or &Overlap::result */
-  Verdicts (const PlaneIds& planes_of_side, std::uint32_t Overlap::*id_in_overlap)
-  : planes (planes_of_side)
-  , id (id_in_overlap)
-  , matched (planes_of_side.size(), false)
-  , split (planes_of_side.size(), false)
-  , part (planes_of_side.size(), false)
-  {}
-
-  /** Returns the number of planes without any mark. */
-  std::size_t
-  countUnmarked () const
-  {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < matched.size(); ++i)
-      if (!matched[i] && !split[i] && !part[i])
-        ++count;
-    return count;
-  }
-
-  const PlaneIds& planes;
-  std::uint32_t Overlap::*id;
-  std::vector<bool> matched;
-  /** A true plane that is over-segmented, or a found plane that covers several. */
-  std::vector<bool> split;
-  /** A part of a split plane of the other side. */
-  std::vector<bool> part;
-};
-
-/** Marks a plane of \p wholes as split if at least two planes of the other side lie on
- * it and together cover it. A plane lies on another one if at least a share \p
- * threshold of its own points is there. A plane is covered if at least the same share
- * of its points is on planes that lie on it. */
-void
-markSplits (const Confusion& confusion,
-            double threshold,
-            Verdicts& wholes,
-            Verdicts& others)
-{
-  const auto reaches = [threshold] (std::size_t points, std::size_t all) {
-    return double (points) >= threshold * double (all);
-  };
-  std::vector<std::size_t> parts (wholes.planes.size(), 0);
-  std::vector<std::size_t> covered (wholes.planes.size(), 0);
-  std::vector<Overlap> on_whole;
-  for (const Overlap& overlap : confusion.overlaps)
-    if (reaches (overlap.points, others.planes.points[overlap.*others.id])) {
-      on_whole.push_back (overlap);
-      ++parts[overlap.*wholes.id];
-      covered[overlap.*wholes.id] += overlap.points;
-    }
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    wholes.split[i] = parts[i] > 1 && reaches (covered[i], wholes.planes.points[i]);
-  for (const Overlap& overlap : on_whole)
-    if (wholes.split[overlap.*wholes.id])
-      others.part[overlap.*others.id] = true;
-}
-
-/** The marks of both sides, and the sum of the IoU of all matches. */
-struct Matching {
-  Verdicts truth;
-  Verdicts result;
-  double iou_sum = 0.0;
-};
-
-/** Matches planes one to one with an intersection over union (IoU) of at least
- * \p threshold, the largest first. Above one half no plane has two candidates. */
-Matching
-matchPlanes (const Confusion& confusion, double threshold)
-{
-  std::vector<Overlap> candidates;
-  for (const Overlap& overlap : confusion.overlaps)
-    if (confusion.iou (overlap) >= threshold)
-      candidates.push_back (overlap);
-  std::stable_sort (
-      candidates.begin(), candidates.end(), [&] (const Overlap& a, const Overlap& b) {
-        return confusion.iou (a) > confusion.iou (b);
-      });
-  Matching matching{{confusion.truth, &Overlap::truth},
-                    {confusion.result, &Overlap::result}};
-  Verdicts& truth = matching.truth;
-  Verdicts& result = matching.result;
-  for (const Overlap& pair : candidates) {
-    if (truth.matched[pair.truth] || result.matched[pair.result])
-      continue;
-    truth.matched[pair.truth] = true;
-    result.matched[pair.result] = true;
-    matching.iou_sum += confusion.iou (pair);
-  }
-  markSplits (confusion, threshold, truth, result);
-  markSplits (confusion, threshold, result, truth);
-  return matching;
-}
-
-std::size_t
-countOf (const std::vector<bool>& marks)
-{
-  return std::size_t (std::count (marks.begin(), marks.end(), true));
-}
-
-/** Returns the instance segmentation metrics of planes. */
+/** Returns the metrics of instance segmentation, with planes as instances. */
 NamedValues
 instanceMetrics (const Matching& matching)
 {
-  const Verdicts& truth = matching.truth;
-  const Verdicts& result = matching.result;
+  const Marks& truth = matching.truth;
+  const Marks& result = matching.result;
   const std::size_t truth_planes = truth.planes.size();
   const std::size_t result_planes = result.planes.size();
-  const std::size_t matches = countOf (truth.matched);
-  const std::size_t all = truth_planes + result_planes;
-  // Without planes on both sides the result is perfect.
-  const double without_matches = all == 0 ? 1.0 : 0.0;
-  const double f_score = shareOf (2 * matches, all, without_matches);
+  const std::size_t matches = countMarked (truth.is_matched);
+  const std::size_t planes_of_both = truth_planes + result_planes;
+  // If neither side has a plane, the result is perfect.
+  const double without_matches = planes_of_both == 0 ? 1.0 : 0.0;
+  const double f_score = shareOf (2 * matches, planes_of_both, without_matches);
   const double mean_iou =
       matches == 0 ? without_matches : matching.iou_sum / double (matches);
-  return {{"precision", shareOf (matches, result_planes, without_matches)},
-          {"recall", shareOf (matches, truth_planes, without_matches)},
-          {"f_score", f_score},
-          {"mean_iou", mean_iou},
-          {"panoptic_quality", mean_iou * f_score},
-          {"over_segmentation", shareOf (countOf (truth.split), truth_planes, 0)},
-          {"under_segmentation", shareOf (countOf (result.split), result_planes, 0)},
-          {"noise", shareOf (result.countUnmarked(), result_planes, 0)},
-          {"missed", shareOf (truth.countUnmarked(), truth_planes, 0)}};
+  return {
+      {"precision", shareOf (matches, result_planes, without_matches)},
+      {"recall", shareOf (matches, truth_planes, without_matches)},
+      {"f_score", f_score},
+      {"mean_iou", mean_iou},
+      {"panoptic_quality", mean_iou * f_score},
+      {"over_segmentation", shareOf (countMarked (truth.is_split), truth_planes, 0)},
+      {"under_segmentation", shareOf (countMarked (result.is_split), result_planes, 0)},
+      {"noise", shareOf (result.countUnmarked(), result_planes, 0)},
+      {"missed", shareOf (truth.countUnmarked(), truth_planes, 0)}};
 }
 
 // An array has no destructor to run: Python threads may still compare at program exit.
 using ClassLimits = std::array<double, 5>;
-constexpr ClassLimits point_limits{200, 500, 1000, 3000, 10'000}; // [points]
-constexpr ClassLimits width_limits{0.03, 0.06, 0.12, 0.25, 1.0};  // [m]
+constexpr ClassLimits limits_of_points{200, 500, 1000, 3000, 10'000}; // [points]
+constexpr ClassLimits limits_of_width{0.03, 0.06, 0.12, 0.25, 1.0};   // [m]
 
-/** Returns empty classes: below the first limit, between limits and above the last. */
+/** Returns classes without planes: below the first limit, from each limit to below the
+ * next one, and from the last limit on. */
 SizeClasses
 emptyClasses (const ClassLimits& limits)
 {
@@ -211,7 +113,7 @@ emptyClasses (const ClassLimits& limits)
   return classes;
 }
 
-/** Counts true planes by size.
+/** Counts true planes, and how many of them are matched, by size.
  * \param[in] sizes of the true planes, in the unit of \p limits */
 SizeClasses
 classesOf (const Matching& at_50,
@@ -225,9 +127,9 @@ classesOf (const Matching& at_50,
     while (of_plane->below && sizes[plane] >= *of_plane->below)
       ++of_plane;
     ++of_plane->planes;
-    if (at_50.truth.matched[plane])
+    if (at_50.truth.is_matched[plane])
       ++of_plane->found_50;
-    if (at_75.truth.matched[plane])
+    if (at_75.truth.is_matched[plane])
       ++of_plane->found_75;
   }
   return classes;
@@ -244,16 +146,15 @@ knownOf (const pcl::Indices& points, const std::vector<char>& is_ignored)
   return known;
 }
 
-/** Returns the result without planes for less than half of whose points the truth is
- * known. */
+/** Returns the result without those planes that have more points of unknown truth than
+ * points of known truth. */
 PlaneLabels
 withoutUnknownPlanes (PlaneLabels result, const std::vector<char>& is_ignored)
 {
   if (is_ignored.empty())
     return result;
-  // Numbers of points by label.
-  std::map<std::uint32_t, std::size_t> points;
-  std::map<std::uint32_t, std::size_t> ignored;
+  std::map<std::uint32_t, std::size_t> points;  // number of points by label
+  std::map<std::uint32_t, std::size_t> ignored; // number of those with unknown truth
   for (std::size_t i = 0; i < result.size(); ++i) {
     ++points[result[i]];
     if (is_ignored[i] != 0)
@@ -265,6 +166,7 @@ withoutUnknownPlanes (PlaneLabels result, const std::vector<char>& is_ignored)
   return result;
 }
 
+/** Returns the widths of planes [m], as Metrics::by_width describes. */
 std::vector<double>
 widthsOf (const std::vector<PlaneSegment>& planes)
 {
@@ -278,15 +180,16 @@ widthsOf (const std::vector<PlaneSegment>& planes)
   return widths;
 }
 
+/** \throw std::invalid_argument if a list has no entry for each point */
 void
 checkSizes (std::size_t points,
             const PlaneLabels& truth,
             const PlaneLabels& result,
             const std::vector<char>& is_ignored)
 {
-  const bool fits = truth.size() == points && result.size() == points &&
-                    (is_ignored.empty() || is_ignored.size() == points);
-  if (!fits)
+  const bool have_same_size = truth.size() == points && result.size() == points &&
+                              (is_ignored.empty() || is_ignored.size() == points);
+  if (!have_same_size)
     throw std::invalid_argument (std::to_string (points) + " points, " +
                                  std::to_string (truth.size()) + " true labels and " +
                                  std::to_string (result.size()) +
@@ -301,22 +204,22 @@ namedMetrics (const Confusion& confusion,
               const std::vector<PlaneSegment>& truth_planes,
               const std::vector<PlaneSegment>& result_planes)
 {
-  const std::size_t all = confusion.truth.of_point.size();
+  const std::size_t points = confusion.truth.of_point.size();
   const std::size_t assigned = pointsOfAssignment (confusion);
-  const std::size_t off_planes = confusion.points_off_planes;
+  const std::size_t off_true_planes = confusion.points_off_true_planes;
   const std::size_t off_in_both = confusion.points_on_no_plane_in_both;
   NamedValues named = {
       {"classification_accuracy",
        classificationAccuracy (confusion, truth_planes, result_planes)},
       {"segmentation_accuracy",
-       shareOf (assigned, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
-      {"segmentation_accuracy_all", shareOf (assigned + off_in_both, all, 1.0)}};
+       shareOf (assigned, points - off_true_planes, result_planes.empty() ? 1.0 : 0.0)},
+      {"segmentation_accuracy_all", shareOf (assigned + off_in_both, points, 1.0)}};
   for (const auto& [name, value] : instanceMetrics (at_50))
     named.emplace_back (name, value);
   for (const auto& [name, value] : instanceMetrics (at_75))
     named.emplace_back (name + "_75", value);
   named.emplace_back ("points_off_planes_called_planes",
-                      shareOf (off_planes - off_in_both, off_planes, 0.0));
+                      shareOf (off_true_planes - off_in_both, off_true_planes, 0.0));
   for (const auto& [name, value] : partitionMetrics (confusion))
     named.emplace_back (name, value);
   return named;
@@ -356,7 +259,7 @@ selectLabels (const PlaneLabels& labels, const pcl::Indices& points)
 PlaneIds
 planeIds (const PlaneLabels& labels)
 {
-  std::map<std::uint32_t, std::uint32_t> id_of;
+  std::map<std::uint32_t, std::uint32_t> id_of; // by label
   for (const std::uint32_t label : labels)
     id_of[label] = PlaneIds::none;
   PlaneIds ids;
@@ -414,17 +317,20 @@ Confusion
 confusionOf (const PlaneLabels& truth, const PlaneLabels& result)
 {
   Confusion confusion{planeIds (truth), planeIds (result)};
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> points_of_pair;
+  using Pair = std::pair<std::uint32_t, std::uint32_t>; // ids in truth and in result
+  std::map<Pair, std::size_t> points_of_pair;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (truth[i] == 0)
-      ++confusion.points_off_planes;
+      ++confusion.points_off_true_planes;
     if (truth[i] == 0 && result[i] == 0)
       ++confusion.points_on_no_plane_in_both;
     if (truth[i] != 0 && result[i] != 0)
       ++points_of_pair[{confusion.truth.of_point[i], confusion.result.of_point[i]}];
   }
-  for (const auto& [pair, points] : points_of_pair)
-    confusion.overlaps.push_back ({pair.first, pair.second, points});
+  for (const auto& [pair, points] : points_of_pair) {
+    const auto [truth_id, result_id] = pair;
+    confusion.overlaps.push_back ({truth_id, result_id, points});
+  }
   return confusion;
 }
 
@@ -441,8 +347,8 @@ compareLabels (const XyzCloud& cloud,
   const Confusion confusion =
       confusionOf (selectLabels (truth, known),
                    selectLabels (withoutUnknownPlanes (result, is_ignored), known));
-  const Matching at_50 = matchPlanes (confusion, 0.50);
-  const Matching at_75 = matchPlanes (confusion, 0.75);
+  const Matching at_50 = matchingAt (confusion, 0.50);
+  const Matching at_75 = matchingAt (confusion, 0.75);
   const std::vector<PlaneSegment> truth_planes =
       planesOf (points, confusion.truth, parameters);
   const std::vector<PlaneSegment> result_planes =
@@ -453,10 +359,10 @@ compareLabels (const XyzCloud& cloud,
   metrics.truth_planes = confusion.truth.size();
   metrics.result_planes = confusion.result.size();
   metrics.named = namedMetrics (confusion, at_50, at_75, truth_planes, result_planes);
-  const std::vector<double> sizes (confusion.truth.points.begin(),
-                                   confusion.truth.points.end());
-  metrics.by_size = classesOf (at_50, at_75, sizes, point_limits);
-  metrics.by_width = classesOf (at_50, at_75, widthsOf (truth_planes), width_limits);
+  const std::vector<double> point_counts (confusion.truth.points.begin(),
+                                          confusion.truth.points.end());
+  metrics.by_size = classesOf (at_50, at_75, point_counts, limits_of_points);
+  metrics.by_width = classesOf (at_50, at_75, widthsOf (truth_planes), limits_of_width);
   return metrics;
 }
 

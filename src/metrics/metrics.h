@@ -33,15 +33,18 @@ finitePointsOf (const XyzCloud& cloud);
 PlaneLabels
 selectLabels (const PlaneLabels& labels, const pcl::Indices& points);
 
-/** Labels renumbered without gaps to ids 0 .. P - 1, so that ids index vectors. */
+/** Ids 0 .. P - 1 of P planes, as indices of vectors: labels may have gaps. */
 struct PlaneIds {
-  std::vector<std::uint32_t>
-      label; // of each plane: all labels in use except 0, ascending
-  std::vector<std::size_t> points;     // number of points of each plane
-  std::vector<std::uint32_t> of_point; // id of each point's plane; none for label 0
+  /** The label of each plane, ascending: all labels of points except 0. */
+  std::vector<std::uint32_t> label;
+  /** Number of points of each plane. */
+  std::vector<std::size_t> points;
+  /** The id of each point's plane; \ref none for label 0. */
+  std::vector<std::uint32_t> of_point;
 
   static constexpr std::uint32_t none = ~std::uint32_t (0);
 
+  /** Number of planes. */
   std::size_t
   size () const
   {
@@ -61,27 +64,31 @@ dropSmallPlanes (PlaneLabels& labels, std::size_t min_points);
 inline void
 addTo (Moments& moments, const Vector3d& point)
 {
-  const Vector3d local = point - moments.origin;
-  moments.add (local.x(), local.y(), local.z());
+  const Vector3d from_origin = point - moments.origin;
+  moments.add (from_origin.x(), from_origin.y(), from_origin.z());
 }
 
 /** Parameters for classifying planes into the paper's three orientations. */
 struct ClassParameters {
-  Vector3d up = Vector3d::UnitZ();          // unit vector against gravity
-  double tolerance = paper_angle_tolerance; // [rad]
+  Vector3d up = Vector3d::UnitZ(); // unit vector against gravity
+  /** Largest angle of a horizontal plane to the ground, and of a vertical plane to
+   * \ref up [rad]. */
+  double tolerance = paper_angle_tolerance;
 };
 
-/** Fits a least squares plane to all points of each label. Normals point to the
- * sensor's side. If the points of a label span no plane, its orientation is Other.
+/** Fits a least squares plane to all points of each label. Normals point to the side of
+ * the sensor's position in \p cloud. If the points of a label span no plane, its
+ * orientation is Other.
+ * \param[in] cloud its points with a label must be finite
  * \param[in] ids has one PlaneIds::of_point for each point of \p cloud
- * \param[in] cloud its points with a label must be finite */
+ * \return a plane for each id */
 std::vector<PlaneSegment>
 planesOf (const XyzCloud& cloud, const PlaneIds& ids, const ClassParameters& classes);
 
-/** Number of common points of a true plane and a found plane (ids). */
+/** A true plane and a found plane with common points. */
 struct Overlap {
-  std::uint32_t truth, result;
-  std::size_t points;
+  std::uint32_t truth, result; // ids of both planes
+  std::size_t points;          // number of common points
 };
 
 /** Sparse confusion matrix of two labelings of the same points: only pairs of planes
@@ -93,9 +100,9 @@ struct Confusion {
   /** Number of points on neither a true nor a found plane. */
   std::size_t points_on_no_plane_in_both = 0;
   /** Number of points on no true plane. */
-  std::size_t points_off_planes = 0;
+  std::size_t points_off_true_planes = 0;
 
-  /** Intersection over union. */
+  /** Intersection over union of both planes, in points. */
   double
   iou (const Overlap& overlap) const
   {
@@ -108,41 +115,47 @@ struct Confusion {
 Confusion
 confusionOf (const PlaneLabels& truth, const PlaneLabels& result);
 
+/** Names with their values, in the order of a report. */
 using NamedValues = std::vector<std::pair<std::string, double>>;
 
-/** True planes of similar size, a number of points or a width [m], and how many of them
- * are matched at an intersection over union (IoU) of 0.5 and of 0.75. */
+/** True planes of similar size. The size is a number of points or a width [m]. */
 struct SizeClass {
-  /** Sizes from \ref from on, and less than \ref below; the largest class has no upper
-   * limit. */
+  /** The sizes of the class: from \ref from on, and less than \ref below; the class of
+   * the largest planes has no upper limit. */
   double from = 0.0;
   std::optional<double> below = std::nullopt;
-  std::size_t planes = 0, found_50 = 0, found_75 = 0;
+  /** Number of true planes of the class. */
+  std::size_t planes = 0;
+  /** How many of them are matched at an intersection over union (IoU) of 0.5, and how
+   * many at 0.75. */
+  std::size_t found_50 = 0, found_75 = 0;
 };
 
-/** Smallest first. */
+/** Classes of all sizes from 0 on, the smallest first. */
 using SizeClasses = std::vector<SizeClass>;
 
 /** The metrics of a result. */
 struct Metrics {
+  /** Number of points that count, of true planes and of found planes. */
   std::size_t points = 0, truth_planes = 0, result_planes = 0;
   /** Metrics under their published names; the page on accuracy defines them. In order:
-   * three accuracies; instance metrics of planes at an intersection over union of 0.5
-   * and, with suffix _75, at 0.75; the share of points off all true planes that the
-   * result has on a plane; \ref partitionMetrics. If neither side has a plane, the
-   * result is perfect. If only one side has planes, precision and recall are 0. */
+   * three accuracies; metrics of planes as instances, at an intersection over union of
+   * 0.5 and, with suffix _75, at 0.75; of the points on no true plane, the share that
+   * is on a found plane; \ref partitionMetrics. If neither truth nor result has a
+   * plane, the result is perfect. If only one of them has planes, precision and recall
+   * are 0. */
   NamedValues named = {};
   /** True planes by number of points. */
   SizeClasses by_size = {};
-  /** True planes by width, the smaller side of a rectangle of evenly spread points with
-   * the plane's variance along its second axis: sqrt (12 variance); 0 if the points
-   * span no plane. Only the visible part of a plane counts. */
+  /** True planes by width: the smaller side of a rectangle of evenly spread points that
+   * has the variances of the plane's points, sqrt (12 variance); 0 if these points span
+   * no plane. So only the visible part of a plane counts. */
   SizeClasses by_width = {};
 };
 
-/** Computes all metrics of a result against the true labels. Points with non-finite
- * coordinates or unknown truth do not count. A found plane counts if the truth is known
- * for at least half of its points.
+/** Computes all metrics of a result against the true labels. Points with a NaN or
+ * infinite coordinate or unknown truth do not count. A found plane counts if the truth
+ * is known for at least half of its points.
  * \param[in] is_ignored for each point, whether its truth is unknown; empty: all known
  * \throw std::invalid_argument if the sizes differ
  * \throw std::length_error for more than 10^8 pairs of a true and a found label */

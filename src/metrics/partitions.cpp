@@ -14,9 +14,11 @@ namespace {
  * of the result. The parts are the found planes and, last, the points on no found
  * plane. */
 struct CommonPoints {
-  std::vector<double> of_truth, of_result; // number of points of each part
+  /** Number of points of each true plane, and of each part of the result. */
+  std::vector<double> of_truth, of_result;
+  /** True planes and parts of the result with common points. */
   std::vector<Overlap> pairs;
-  double all = 0.0; // number of points
+  double all = 0.0; // number of points on true planes
 };
 
 CommonPoints
@@ -26,6 +28,7 @@ commonPoints (const Confusion& confusion)
   CommonPoints common;
   common.pairs = confusion.overlaps;
   common.of_truth.assign (confusion.truth.points.begin(), confusion.truth.points.end());
+  // For each true plane the number of points on no found plane.
   std::vector<std::size_t> on_none = confusion.truth.points;
   for (const Overlap& pair : confusion.overlaps)
     on_none[pair.truth] -= pair.points;
@@ -61,39 +64,44 @@ pairsOf (double points)
   return points * (points - 1.0);
 }
 
+/** The share of the pairs of points that truth and result both join or both separate.
+ */
 double
 randIndex (const CommonPoints& common)
 {
-  // Ordered pairs of points: those on one true plane and in one part of the result, and
-  // those on one true plane plus those in one part, where the former count twice.
-  double together_in_both = 0.0;
-  double together_in_either = 0.0;
+  // Ordered pairs of points, counted by where they are together.
+  double together_in_both = 0.0; // on one true plane and in one part of the result
+  double together_in_sum = 0.0;  // on one true plane, plus those in one part
   for (const Overlap& pair : common.pairs)
     together_in_both += pairsOf (double (pair.points));
   for (const std::vector<double>* parts : {&common.of_truth, &common.of_result})
     for (const double points : *parts)
-      together_in_either += pairsOf (points);
-  const double all = pairsOf (common.all);
-  return all > 0.0 ? (all - together_in_either + 2.0 * together_in_both) / all : 1.0;
+      together_in_sum += pairsOf (points);
+  const double all_pairs = pairsOf (common.all);
+  return all_pairs > 0.0
+             ? (all_pairs - together_in_sum + 2.0 * together_in_both) / all_pairs
+             : 1.0;
 }
 
+/** The mean over points and over truth and result of the largest intersection over
+ * union (IoU) of the point's part with a part of the other labeling. */
 double
 segmentationCovering (const CommonPoints& common)
 {
-  std::vector<double> best_of_truth (common.of_truth.size(), 0.0);
-  std::vector<double> best_of_result (common.of_result.size(), 0.0);
+  std::vector<double> best_iou_of_truth (common.of_truth.size(), 0.0);
+  std::vector<double> best_iou_of_result (common.of_result.size(), 0.0);
   for (const Overlap& pair : common.pairs) {
     const double common_points = double (pair.points);
     const double iou = common_points / (common.of_truth[pair.truth] +
                                         common.of_result[pair.result] - common_points);
-    best_of_truth[pair.truth] = std::max (best_of_truth[pair.truth], iou);
-    best_of_result[pair.result] = std::max (best_of_result[pair.result], iou);
+    best_iou_of_truth[pair.truth] = std::max (best_iou_of_truth[pair.truth], iou);
+    best_iou_of_result[pair.result] = std::max (best_iou_of_result[pair.result], iou);
   }
   double covered = 0.0;
-  for (std::size_t plane = 0; plane < best_of_truth.size(); ++plane)
-    covered += common.of_truth[plane] * best_of_truth[plane];
-  for (std::size_t part = 0; part < best_of_result.size(); ++part)
-    covered += common.of_result[part] * best_of_result[part];
+  for (std::size_t plane = 0; plane < best_iou_of_truth.size(); ++plane)
+    covered += common.of_truth[plane] * best_iou_of_truth[plane];
+  for (std::size_t part = 0; part < best_iou_of_result.size(); ++part)
+    covered += common.of_result[part] * best_iou_of_result[part];
   return covered / (2.0 * common.all);
 }
 
@@ -116,7 +124,7 @@ agreementOf (const PlaneLabels& first, const PlaneLabels& second)
   if (first.size() != second.size())
     throw std::invalid_argument ("agreementOf: labelings of different points");
   Confusion confusion = confusionOf (first, second);
-  std::size_t on_planes = 0; // in either
+  std::size_t on_planes = 0; // points on a plane in either labeling
   for (const PlaneIds* planes : {&confusion.truth, &confusion.result})
     for (const std::size_t points : planes->points)
       on_planes += points;
@@ -128,7 +136,7 @@ agreementOf (const PlaneLabels& first, const PlaneLabels& second)
       [] (const Overlap& a, const Overlap& b) { return a.points > b.points; });
   std::vector<char> is_matched_in_first (confusion.truth.size());
   std::vector<char> is_matched_in_second (confusion.result.size());
-  std::size_t on_matched_planes = 0; // in both
+  std::size_t on_matched_planes = 0; // points on both planes of a match
   for (const Overlap& pair : confusion.overlaps) {
     if (is_matched_in_first[pair.truth] || is_matched_in_second[pair.result])
       continue;

@@ -10,17 +10,21 @@ namespace pcl_ops::evaluation {
  * plane detectors for images publish (Liu et al., PlaneRCNN, CVPR 2019, section 5.3;
  * Arbelaez et al., PAMI 2011, section 2.3). Points on a true plane but on no found
  * plane are one more part of the result. Without true planes the result is perfect.
- * - variation_of_information: H (T | R) + H (R | T) [bits], 0 at best
- * - rand_index: pairs of points that both join or both separate / pairs
- * - segmentation_covering: mean over points and both directions of the largest
- * intersection over union of the point's part with a part of the other labeling */
+ * - variation_of_information: H (T | R) + H (R | T) [bits] with the conditional
+ * entropies of truth T and result R; 0 at best
+ * - rand_index: share of the pairs of points that are in one part in both labelings, or
+ * in two parts in both; 1 at best
+ * - segmentation_covering: mean over points and over both labelings of the largest
+ * intersection over union of the point's part with a part of the other labeling; 1 at
+ * best */
 NamedValues
 partitionMetrics (const Confusion& confusion);
 
-/** Returns the similarity of two labelings of the same points, if neither is the truth.
- * Planes are matched one to one, the largest overlap first; of equal overlaps the one
- * with the lower labels. The similarity is the number of points on both planes of a
- * match / the number of points on a plane in either labeling; 1 without planes.
+/** Returns the similarity of two labelings of the same points, neither of which need be
+ * the truth. Planes are matched one to one, the largest overlap first; of equal
+ * overlaps the one with the lower labels. The similarity is the number of points on
+ * both planes of a match / the number of points on a plane in either labeling; 1
+ * without planes.
  * \throw std::invalid_argument if the sizes differ */
 double
 agreementOf (const PlaneLabels& first, const PlaneLabels& second);

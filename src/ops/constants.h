@@ -22,10 +22,11 @@ struct PlaceConstants {
   double max_neighborhood = 36.0;
   double points_of_min_neighborhood = 400.0;
   double neighborhood_exponent = 0.26;
-  /** \brief A place has a support for each level; level 0 is the smallest. A support of
-   * the next level adds up the supports of its place and of the place's arms: places
-   * around it, \ref arms of them at most. These supports overlap, so their sum counts
-   * as only points_per_level times the points of one of them. */
+  /** \brief A place has a support for each level, max_levels at most; that of level 0
+   * is the smallest. A support of the next level adds up the supports of its place and
+   * of the place's arms: places around it, \ref arms of them at most. These supports
+   * overlap, so that their sum counts as only points_per_level times the points of one
+   * of them. */
   int max_levels = 6;
   double points_per_level = 3.4;
   static constexpr int arms = 8;
@@ -36,7 +37,8 @@ struct PlaceConstants {
   double depth_scale = 0.25;
   /** \brief A support is flat if its scatter is below max_thickness times its width
    * and it is no line. It is a line if the middle one of its three variances is at most
-   * min_slimness times the largest one. */
+   * min_slimness times the largest one. Scatter and width are \ref Support::scatter and
+   * \ref Support::width. */
   double max_thickness = 0.17 / 3.0;
   double min_slimness = 0.02;
 
@@ -49,9 +51,10 @@ struct PlaceConstants {
   double max_thickening = 1.25;
   double max_thickening_of_all = 1.35;
   /** \brief The growth of a level is the scatter of settled supports over that of
-   * supports of the level: the growth_quantile over the places whose settled support is
-   * not exact (\ref max_exact_thickness). It counts in full if these places are at
-   * least full_share_of_settled of all places; else it is closer to 1. */
+   * supports of the level. It is a quantile over the places that have a settled support
+   * which is not exact (\ref max_exact_thickness): growth_quantile is the share of
+   * these places with less. It counts in full if these places are at least
+   * full_share_of_settled of all places; else it is closer to 1. */
   double full_share_of_settled = 0.1;
   double growth_quantile = 0.25;
   /** \brief Largest scatter over width of exact surfaces, such as CAD models. */
@@ -78,7 +81,7 @@ struct PlaceConstants {
   double max_noises_of_support = 1.8;
   /** \brief Nearest points are in two layers if the variance within the layers is
    * below this share of the total variance. The best division leaves .36 of the
-   * variance of white noise, and .25 of that of a uniform distribution. */
+   * variance of a normal distribution, and .25 of that of a uniform distribution. */
   double max_unexplained_by_layers = 0.05;
 
   // Regions.
@@ -94,8 +97,12 @@ struct PlaceConstants {
   /** \brief Distance to a plane that bending may add to the noise, in units of the
    * width of the region. */
   double bend_of_width = 0.003;
-  double max_angle = 25.0 * (M_PI / 180.0); // from place normal to region normal
-  double refit_growth = 1.05; // least points at a refit over those at the try before
+  /** \brief Largest angle between the normal of a place and that of its region [rad].
+   */
+  double max_angle = 25.0 * (M_PI / 180.0);
+  /** \brief A growing region tries to refit its plane once it has more than this many
+   * times the points of its last try. */
+  double refit_growth = 1.05;
 
   // Joins.
   /** \brief Largest rms distance of a region to the plane of another one, in units of
@@ -110,20 +117,25 @@ struct PlaceConstants {
    * no plane. */
   double join_bend_of_width = 0.01;
   double noises_of_bend = 8.0;
-  double join_angle = 5.0 * (M_PI / 180.0); // of the planes of regions that touch
+  /** \brief Largest angle between the planes of regions that touch and are joined
+   * [rad]. */
+  double join_angle = 5.0 * (M_PI / 180.0);
   /** \brief Least share of all border places of a region that touch the region it joins
    * and lie on that region's plane. */
   double min_share_of_border = 0.1;
   /** \brief Least share of the places at the common border of two regions that lie on
    * the plane of the other region. */
   double min_fitting_border = 0.5;
-  double max_gap = 2.0; // distance of the centers over the mean of both lengths
+  /** \brief Largest distance of the centroids of regions that are joined over a gap, in
+   * units of the mean of both lengths. */
+  double max_gap = 2.0;
 
   // Planes.
   /** \brief Least number of places of a plane, in units of CloudNoise::common_errors.
    */
   double min_independent_points = 6.0;
-  int min_flat_places = 2; // of a plane
+  /** \brief Least number of flat places of a plane. */
+  int min_flat_places = 2;
   /** \brief Largest rms distance of points to their plane, in units of its noise. */
   double max_noises_of_plane = 12.0;
   /** \brief RegionEvidence::sum: the constant term, and the weight of each member. The
@@ -131,7 +143,7 @@ struct PlaceConstants {
   double evidence_constant = -1.94;
   double evidence_of_size = 4.62;
   double evidence_of_bend = -2.42;
-  double max_bend = 5.0; // larger values of RegionEvidence::bend count as this
+  double max_bend = 5.0; // largest value of RegionEvidence::bend
   double evidence_of_smooth_border = -3.24;
   double evidence_of_open_border = 6.08;
   /** \brief RegionEvidence::size counts points / common_errors ^ this exponent. */
@@ -150,11 +162,11 @@ struct PlaceConstants {
 
 inline constexpr PlaceConstants place_constants;
 
-/** \brief width^2 = 12 variance for a uniform distribution over a width. */
+/** \brief A uniform distribution over a width has width^2 = 12 variance. */
 inline constexpr double squared_width_of_variance = 12.0;
 
-/** \brief Number of coefficients that the fit of a plane estimates: n points leave only
- * n - 3 independent distances to it. */
+/** \brief Number of coefficients that the fit of a plane estimates: the distances of n
+ * points to their fitted plane have only n - 3 degrees of freedom. */
 inline constexpr double parameters_of_plane = 3.0;
 
 /** \brief Added to a noise or scatter [m], so that its logarithm, or a quotient by it,

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -28,13 +29,25 @@ constexpr std::size_t min_levels = 12;
 
 /** \brief The plane fit to a point and its nearest points. */
 struct FlatPatch {
-  Eigen::Vector3d normal;
+  Eigen::Vector3d normal; // either of the two unit normals
   Eigen::Vector3d point;
-  double width; // of the nearest points, in the narrower direction of the plane [m]
-  double rms;   // of their distances to the plane [m]
+  double width; // of the nearest points, in the narrower direction in the plane [m]
+  double rms;   // of the distances of the nearest points to the plane [m]
 };
 
-// Returns the nearest points of a query point, itself first and included in count.
+/** \brief The thickness of a patch is FlatPatch::rms over FlatPatch::width. */
+struct PatchThickness {
+  double thickness;
+  std::size_t patch; // index in the list of patches
+
+  bool
+  operator<(const PatchThickness& other) const
+  {
+    return std::tie (thickness, patch) < std::tie (other.thickness, other.patch);
+  }
+};
+
+// Returns count points: a query point and those nearest to it, nearest first.
 // \param[in] position of the query point in PointTree::order
 std::vector<Eigen::Vector3d>
 pointsAround (const Coordinates& points,
@@ -76,14 +89,37 @@ patchOf (const std::vector<Eigen::Vector3d>& nearest)
 void
 refitNormal (const std::vector<Eigen::Vector3d>& nearest, FlatPatch& patch)
 {
-  constexpr double max_distance = 3.0;     // in units of the rms of the patch
-  constexpr std::size_t part_on_plane = 4; // at least a quarter must be on the plane
+  constexpr double max_distance = 3.0; // from the plane, in units of FlatPatch::rms
+  // More than a quarter of the points must lie on the plane.
+  const std::size_t quarter = nearest.size() / 4;
   std::vector<Eigen::Vector3d> on_plane;
   for (const Eigen::Vector3d& point : nearest)
     if (std::abs (patch.normal.dot (point - patch.point)) <= max_distance * patch.rms)
       on_plane.push_back (point);
-  if (on_plane.size() > nearest.size() / part_on_plane)
+  if (on_plane.size() > quarter)
     patch.normal = patchOf (on_plane).normal;
+}
+
+constexpr std::size_t tried_patches = 2000;
+
+// Returns the position in PointTree::order of the point of a patch. Neighbors in this
+// order are neighbors in space, so that the patches are spread over the cloud.
+std::size_t
+positionOf (std::size_t patch, std::size_t points)
+{
+  return patch * points / tried_patches;
+}
+
+// Returns the thickness of the patches that have a width, the flattest patch first.
+std::vector<PatchThickness>
+sortedThicknesses (const std::vector<FlatPatch>& patches)
+{
+  std::vector<PatchThickness> thicknesses;
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    if (patches[k].width > 0.0)
+      thicknesses.push_back ({patches[k].rms / patches[k].width, k});
+  std::sort (thicknesses.begin(), thicknesses.end());
+  return thicknesses;
 }
 
 // Returns the flattest tenth of 2000 patches spread over the cloud, and all exactly
@@ -92,66 +128,62 @@ refitNormal (const std::vector<Eigen::Vector3d>& nearest, FlatPatch& patch)
 std::vector<FlatPatch>
 flattestPatches (const Coordinates& points, const PointTree& tree)
 {
-  constexpr std::size_t tried = 2000;
-  constexpr std::size_t wanted = tried / 10;
+  constexpr std::size_t wanted_patches = tried_patches / 10;
   constexpr std::size_t points_of_patch = 17;
   constexpr std::size_t points_of_refit = 100;
-  // Both thicknesses are the rms distance to the plane over the width.
-  constexpr double exact_thickness = 0.005;
-  constexpr double max_thickness = 0.06;
-  const auto positionOf = [&] (std::size_t k) { return k * points.size() / tried; };
-  std::vector<std::pair<double, std::size_t>> by_thickness; // thickness, patch index
+  constexpr double exact_thickness = 0.005; // thinner patches are exactly flat
+  constexpr double max_thickness = 0.06;    // thicker patches are not flat
   std::vector<FlatPatch> patches;
-  for (std::size_t k = 0; k < tried; ++k) {
-    patches.push_back (
-        patchOf (pointsAround (points, tree, positionOf (k), points_of_patch)));
-    if (patches[k].width > 0.0)
-      by_thickness.emplace_back (patches[k].rms / patches[k].width, k);
-  }
-  if (by_thickness.size() < wanted)
+  for (std::size_t k = 0; k < tried_patches; ++k)
+    patches.push_back (patchOf (
+        pointsAround (points, tree, positionOf (k, points.size()), points_of_patch)));
+  const std::vector<PatchThickness> thicknesses = sortedThicknesses (patches);
+  if (thicknesses.size() < wanted_patches)
     return {};
-  std::sort (by_thickness.begin(), by_thickness.end());
   // Keep all exact patches: the faces of a CAD model must show their several normals.
-  const double limit = std::max (exact_thickness, by_thickness[wanted - 1].first);
+  const double limit =
+      std::max (exact_thickness, thicknesses[wanted_patches - 1].thickness);
   if (limit >= max_thickness)
     return {};
   std::vector<FlatPatch> flattest;
-  for (const auto& [thickness, k] : by_thickness) {
+  for (const auto& [thickness, k] : thicknesses) {
     if (thickness > limit)
       break;
     if (thickness > exact_thickness)
-      refitNormal (pointsAround (points, tree, positionOf (k), points_of_refit),
-                   patches[k]);
+      refitNormal (
+          pointsAround (points, tree, positionOf (k, points.size()), points_of_refit),
+          patches[k]);
     flattest.push_back (patches[k]);
   }
   return flattest;
 }
 
-// Returns the mean direction of the largest group of similar normals, up to the sign;
-// zero if fewer than 80 % are in it, as for the faces of CAD models. A group has all
-// normals near one of them, its center.
+// Returns the mean direction of the largest group of similar normals, with either sign;
+// zero if fewer than 80 % of the normals are in this group, as for the faces of CAD
+// models. A group has all normals near one of them, its center.
 Eigen::Vector3d
 commonDirection (const std::vector<FlatPatch>& patches)
 {
   constexpr std::size_t tried_centers = 100; // up to twice as many are tried
-  constexpr double min_share = 0.8;
+  constexpr double min_share = 0.8;          // of the normals in the largest group
   // From the center of a group to its other normals: 3 degrees at most.
   const double min_cosine = std::cos (3.0 * M_PI / 180.0);
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   std::size_t largest_group = 0;
-  const std::size_t every = std::max<std::size_t> (1, patches.size() / tried_centers);
-  for (std::size_t center = 0; center < patches.size(); center += every) {
-    std::size_t count = 0;
+  const std::size_t patches_per_center =
+      std::max<std::size_t> (1, patches.size() / tried_centers);
+  for (std::size_t center = 0; center < patches.size(); center += patches_per_center) {
+    std::size_t normals_of_group = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const FlatPatch& patch : patches) {
       const double cosine = patch.normal.dot (patches[center].normal);
       if (std::abs (cosine) <= min_cosine)
         continue;
-      ++count;
+      ++normals_of_group;
       sum += cosine > 0.0 ? patch.normal : Eigen::Vector3d (-patch.normal);
     }
-    if (count > largest_group) {
-      largest_group = count;
+    if (normals_of_group > largest_group) {
+      largest_group = normals_of_group;
       direction = sum.normalized();
     }
   }
@@ -161,8 +193,8 @@ commonDirection (const std::vector<FlatPatch>& patches)
   return direction;
 }
 
-// Measures how blurred levels are along a direction: the sum of the square roots of the
-// gaps between successive offsets of the points along it. If levels are exactly
+// Returns how blurred levels are along a direction: the sum of the square roots of the
+// gaps between successive offsets of the points along it [m^0.5]. If levels are exactly
 // perpendicular to the direction, most gaps are zero.
 double
 blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction)
@@ -178,15 +210,15 @@ blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direc
   return sum;
 }
 
-// Searches near a direction for the one along which levels are least blurred: tries
-// rotations to four sides by ever smaller angles (pattern search). The start is off by
-// tenths of a degree if coordinates were rounded, too much for levels that are meters
-// wide.
+// Searches near a start direction for the one along which levels are least blurred:
+// tries rotations to four sides by ever smaller angles (pattern search). If coordinates
+// were rounded, the start is off by tenths of a degree, too much for levels that are
+// meters wide.
 Eigen::Vector3d
-sharpened (const Coordinates& points, Eigen::Vector3d direction)
+sharpestDirection (const Coordinates& points, Eigen::Vector3d direction)
 {
   constexpr std::size_t sample_size = 4000;
-  constexpr int max_moves = 8; // for each angle
+  constexpr int max_moves = 8; // by each angle
   std::vector<Eigen::Vector3d> sample;
   for (std::size_t s = 0; s < sample_size; ++s)
     sample.push_back (points[s * points.size() / sample_size]);
@@ -212,18 +244,18 @@ sharpened (const Coordinates& points, Eigen::Vector3d direction)
   return direction;
 }
 
-/** \brief One level: the range of the offsets of its points along the direction [m]. */
-struct DepthLevel {
-  double begin, end;
-  std::size_t points;
+/** \brief One level. An offset is the coordinate of a point along the direction. */
+struct OffsetRange {
+  double begin, end;  // smallest and largest offset of the points of the level [m]
+  std::size_t points; // number of them
 };
 
-// Divides sorted offsets [m] into levels at gaps larger than max_gap [m].
-std::vector<DepthLevel>
-levelsOf (const std::vector<double>& sorted, double max_gap)
+// Divides ascending offsets [m] into levels at gaps larger than max_gap [m].
+std::vector<OffsetRange>
+levelsOf (const std::vector<double>& sorted_offsets, double max_gap)
 {
-  std::vector<DepthLevel> levels;
-  for (const double offset : sorted)
+  std::vector<OffsetRange> levels;
+  for (const double offset : sorted_offsets)
     if (levels.empty() || offset > levels.back().end + max_gap)
       levels.push_back ({offset, offset, 1});
     else {
@@ -234,19 +266,21 @@ levelsOf (const std::vector<double>& sorted, double max_gap)
 }
 
 double
-middleOf (const DepthLevel& level)
+middleOf (const OffsetRange& level)
 {
   return 0.5 * (level.begin + level.end);
 }
 
-// Returns the median distance [m] between adjacent levels around the level with an
-// index; at least two levels are needed.
+// Returns the median distance [m] between adjacent levels near one of them, from its
+// second level below to its second level above.
+// \param[in] levels at least two
+// \param[in] index of the level in levels
 double
-stepAt (const std::vector<DepthLevel>& levels, std::size_t index)
+stepAt (const std::vector<OffsetRange>& levels, std::size_t index)
 {
-  constexpr std::size_t around = 2; // levels to either side
-  const std::size_t first = index >= around ? index - around : 0;
-  const std::size_t last = std::min (levels.size() - 1, index + around);
+  constexpr std::size_t levels_aside = 2; // on either side
+  const std::size_t first = index >= levels_aside ? index - levels_aside : 0;
+  const std::size_t last = std::min (levels.size() - 1, index + levels_aside);
   std::vector<double> steps;
   for (std::size_t k = first; k < last; ++k)
     steps.push_back (middleOf (levels[k + 1]) - middleOf (levels[k]));
@@ -257,28 +291,29 @@ stepAt (const std::vector<DepthLevel>& levels, std::size_t index)
   return steps[middle];
 }
 
-// Whether at least min_levels levels are full: have a tenth or more of the mean number
-// of points of a level. A floor and the legs of chairs make one full level and many
-// that are not.
+// Whether at least min_levels levels are full. A full level has at least a tenth of the
+// mean number of points of a level. A floor and the legs of chairs make one full level
+// and many others.
 bool
-areEnough (const std::vector<DepthLevel>& levels, std::size_t points)
+hasEnoughFullLevels (const std::vector<OffsetRange>& levels, std::size_t points)
 {
-  constexpr std::size_t part_of_mean = 10;
   const auto full_levels =
-      std::count_if (levels.begin(), levels.end(), [&] (const DepthLevel& level) {
-        return part_of_mean * level.points * levels.size() >= points;
+      std::count_if (levels.begin(), levels.end(), [&] (const OffsetRange& level) {
+        return 10 * level.points * levels.size() >= points;
       });
   return full_levels >= static_cast<std::ptrdiff_t> (min_levels);
 }
 
-// Returns the share of the points that are on levels thin for their distance to
-// adjacent ones; 0 if there are too few levels or too few points per level.
+// Returns the share of the points that are on thin levels. A level is thin if it is
+// much thinner than the distance to adjacent levels. Returns 0 if there are too few
+// levels or too few points per level.
+// \param[in] points number of points on all levels
 double
-shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
+shareOnThinLevels (const std::vector<OffsetRange>& levels, std::size_t points)
 {
   constexpr std::size_t min_mean_points = 50; // of a level
-  constexpr double max_thickness = 0.3;       // in units of stepAt
-  if (levels.size() * min_mean_points > points || !areEnough (levels, points))
+  constexpr double max_thickness = 0.3;       // in units of the result of stepAt
+  if (levels.size() * min_mean_points > points || !hasEnoughFullLevels (levels, points))
     return 0.0;
   std::size_t points_on_thin = 0;
   for (std::size_t k = 0; k < levels.size(); ++k)
@@ -287,23 +322,23 @@ shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
   return static_cast<double> (points_on_thin) / static_cast<double> (points);
 }
 
-// Divides sorted offsets into levels, at the gap for which the largest share of points
-// is on thin levels; empty if no share exceeds 80 %. Tries several gaps: levels of
-// rounded or jittered coordinates have some thickness, and a too small gap would divide
-// them.
-std::vector<DepthLevel>
-findLevels (const std::vector<double>& sorted)
+// Divides ascending offsets [m] into levels, at the gap for which the largest share of
+// points is on thin levels; empty if no share exceeds 80 %. Tries several gaps: levels
+// of rounded or jittered coordinates have some thickness, and a too small gap would
+// divide them.
+std::vector<OffsetRange>
+findLevels (const std::vector<double>& sorted_offsets)
 {
   constexpr double min_share = 0.8;
-  constexpr double smallest_gap = 1e-6; // in units of the range
+  constexpr double smallest_gap = 1e-6; // in units of the range of offsets
   constexpr int tried_gaps = 14;        // each is twice the one before
-  const double range = sorted.back() - sorted.front();
+  const double range = sorted_offsets.back() - sorted_offsets.front();
   double largest_share = min_share;
-  std::vector<DepthLevel> best_levels;
+  std::vector<OffsetRange> best_levels;
   for (int doublings = 0; doublings < tried_gaps; ++doublings) {
-    std::vector<DepthLevel> levels =
-        levelsOf (sorted, std::ldexp (smallest_gap, doublings) * range);
-    const double share = shareOnThinLevels (levels, sorted.size());
+    std::vector<OffsetRange> levels =
+        levelsOf (sorted_offsets, std::ldexp (smallest_gap, doublings) * range);
+    const double share = shareOnThinLevels (levels, sorted_offsets.size());
     if (share > largest_share) {
       largest_share = share;
       best_levels = std::move (levels);
@@ -312,15 +347,16 @@ findLevels (const std::vector<double>& sorted)
   return best_levels;
 }
 
-// Returns the index of the level of an offset; between two levels, that of the lower
-// one. The offset must not be below the first level.
+// Returns the index of the level that contains an offset; between two levels, the index
+// of the lower one. The offset must not be below the first level.
 std::size_t
-levelOf (const std::vector<DepthLevel>& levels, double offset)
+levelIndexOf (const std::vector<OffsetRange>& levels, double offset)
 {
   const auto above = std::upper_bound (
-      levels.begin(), levels.end(), offset, [] (double value, const DepthLevel& level) {
-        return value < level.begin;
-      });
+      levels.begin(),
+      levels.end(),
+      offset,
+      [] (double value, const OffsetRange& level) { return value < level.begin; });
   return static_cast<std::size_t> (above - levels.begin()) - 1;
 }
 
@@ -328,13 +364,13 @@ levelOf (const std::vector<DepthLevel>& levels, double offset)
 // an exact wall, and the other levels may be the rows of a grid of points.
 bool
 areOnSeveralLevels (const std::vector<FlatPatch>& patches,
-                    const std::vector<DepthLevel>& levels,
+                    const std::vector<OffsetRange>& levels,
                     const Eigen::Vector3d& direction)
 {
   constexpr std::size_t min_levels_with_patches = 3;
   std::set<std::size_t> levels_with_patches;
   for (const FlatPatch& patch : patches)
-    levels_with_patches.insert (levelOf (levels, direction.dot (patch.point)));
+    levels_with_patches.insert (levelIndexOf (levels, direction.dot (patch.point)));
   return levels_with_patches.size() >= min_levels_with_patches;
 }
 
@@ -350,13 +386,13 @@ findDepthLevels (const Coordinates& points, const PointTree& tree)
   const Eigen::Vector3d common = commonDirection (flattest);
   if (common.isZero())
     return found;
-  const Eigen::Vector3d direction = sharpened (points, common);
+  const Eigen::Vector3d direction = sharpestDirection (points, common);
   std::vector<double> offsets (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     offsets[i] = direction.dot (points[i]);
-  std::vector<double> sorted (offsets);
-  std::sort (sorted.begin(), sorted.end());
-  const std::vector<DepthLevel> levels = findLevels (sorted);
+  std::vector<double> sorted_offsets (offsets);
+  std::sort (sorted_offsets.begin(), sorted_offsets.end());
+  const std::vector<OffsetRange> levels = findLevels (sorted_offsets);
   if (levels.empty() || !areOnSeveralLevels (flattest, levels, direction))
     return found;
   std::vector<float> step_of_level (levels.size());
@@ -365,7 +401,7 @@ findDepthLevels (const Coordinates& points, const PointTree& tree)
   found.direction = direction;
   found.step.resize (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    found.step[i] = step_of_level[levelOf (levels, offsets[i])];
+    found.step[i] = step_of_level[levelIndexOf (levels, offsets[i])];
   return found;
 }
 

@@ -69,7 +69,8 @@ noiseOfCloud (const Points& points,
   const DistinctPlaces distinct = distinctPlaces (points, parameters.threads);
   if (distinct.size() < least_places)
     return {};
-  // The size of the whole cloud determines the neighborhoods of its parts.
+  // The size of the whole cloud determines the neighborhoods of its parts:
+  // neighborhoodSizeFor reads it from noise_of_whole.
   OrientedPointSamplingParameters of_whole = parameters;
   of_whole.noise_of_whole.emplace();
   of_whole.noise_of_whole->points =

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops {
 
@@ -24,8 +25,8 @@ usedSampling (const OrientedPointSamplingParameters& parameters)
   return parameters.surfels.voxel_size ? Sampling::Surfels : Sampling::Neighborhoods;
 }
 
-// Calls the engine of the sampling: one detects as in the paper, one on voxels, and the
-// default on neighborhoods.
+// Calls the detector of the used sampling: as in the paper, on voxels, or on
+// neighborhoods, the default.
 LabelledPlanes
 detectBySampling (const DetectorInput& input,
                   const OrientedPointSamplingParameters& parameters,
@@ -101,27 +102,29 @@ isFiniteAndAtLeast (double least, double value)
   return value >= least && std::isfinite (value);
 }
 
-// Whether all members are in their ranges.
+// Whether all members have values that measureNoise can give them.
 bool
 isValid (const CloudNoise& noise)
 {
   const auto isFactor = [] (double value) { return isFiniteAndAtLeast (1.0, value); };
-  const auto isUsualNoise = [] (const auto& octave_and_noise) {
-    return isFiniteAndAtLeast (0.0, octave_and_noise.second);
+  const auto isNoiseOfOctave = [] (const std::pair<const int, double>& usual) {
+    return isFiniteAndAtLeast (0.0, usual.second);
   };
   return isFiniteAndAtLeast (1.0, noise.points) && isFactor (noise.common_errors) &&
          isFiniteAndAtLeast (0.0, noise.usual) &&
          std::all_of (noise.growth.begin(), noise.growth.end(), isFactor) &&
-         std::all_of (
-             noise.usual_of_octave.begin(), noise.usual_of_octave.end(), isUsualNoise);
+         std::all_of (noise.usual_of_octave.begin(),
+                      noise.usual_of_octave.end(),
+                      isNoiseOfOctave);
 }
 
-// A voxel's edge and its inverse are used in single precision.
+// Whether a length [m] can be the edge of voxels: the edge and its inverse are used in
+// single precision, where very small and very large values become 0 or infinite.
 bool
-isVoxelSize (double size)
+isVoxelSize (double edge)
 {
-  return size > 0.0 && std::isnormal (static_cast<float> (size)) &&
-         std::isnormal (static_cast<float> (1.0 / size));
+  return edge > 0.0 && std::isnormal (static_cast<float> (edge)) &&
+         std::isnormal (static_cast<float> (1.0 / edge));
 }
 
 std::string

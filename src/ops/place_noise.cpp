@@ -17,6 +17,7 @@ namespace {
 // The settled level of a place without a settled support.
 constexpr int no_level = -1;
 
+// Whether the points of a support lie on its plane without noise, as in CAD models.
 bool
 isExactSupport (const Support& support)
 {
@@ -24,9 +25,9 @@ isExactSupport (const Support& support)
 }
 
 // Returns the level of the largest settled support of a place, or no_level. The first
-// settled support is flat and scatters by little more than that of the level before.
-// Larger ones are settled, too, until they scatter by much more than the first: there
-// the surface bends.
+// settled support is flat, and its scatter is little more than that of the level
+// before. Larger supports are settled, too, until their scatter is much more than that
+// of the first settled one: there the surface bends.
 int
 settledLevelOf (const Places& places, std::size_t place)
 {
@@ -50,10 +51,11 @@ settledLevelOf (const Places& places, std::size_t place)
   return settled;
 }
 
-// Returns for each level the growth, the scatter of a settled support over that of a
-// support of the level: the lower quartile over the places whose largest settled
-// support is not exact. The growths of places from one sensor are alike. On hills and
-// in woods they differ, and most flat places there have a growth of 1.
+// Returns the growth of each level (PlaceConstants::growth_quantile): the scatter of
+// settled supports over that of supports of the level. It is the lower quartile over
+// the places whose largest settled support is not exact. The growths of places from one
+// sensor are alike. On hills and in woods they differ, but most flat places there have
+// a growth of 1, and so has the quartile.
 std::vector<double>
 growthsOf (const Places& places, const std::vector<int>& settled_level)
 {
@@ -70,9 +72,10 @@ growthsOf (const Places& places, const std::vector<int>& settled_level)
                     (places.supports[level][i].scatter + least_noise)
               : 1.0F);
   }
-  // The fewer places these are, the closer to 1 (no growth) the result is.
-  const double share_of_settled = static_cast<double> (growths_of_level[0].size()) /
-                                  static_cast<double> (places.size());
+  // The fewer places have such a support, the closer to 1 (no growth) are the results.
+  const std::size_t settled_places = growths_of_level[0].size();
+  const double share_of_settled =
+      static_cast<double> (settled_places) / static_cast<double> (places.size());
   const double weight =
       std::min (1.0, share_of_settled / place_constants.full_share_of_settled);
   std::vector<double> growth;
@@ -83,52 +86,57 @@ growthsOf (const Places& places, const std::vector<int>& settled_level)
   return growth;
 }
 
-// Returns nu, how many neighboring points err as one. The variance of n points of a
-// flat surface about the plane fit to them is s = 1 - 3 nu / n times that of the
-// surface, as the fit has three parameters. The growth of a level is 1 / sqrt (s): so
-// nu = (1 - s) n / 3. The smallest supports with s above least_share give nu. This
+// Returns nu, how many neighboring points share one error. A support of n points has a
+// variance about its fitted plane of s = 1 - 3 nu / n times the squared noise, as the
+// fit has three parameters. The growth of a level is 1 / sqrt (s), so that nu is
+// (1 - s) n / 3. The lowest level with s above min_variance_share gives nu. This
 // neglects that Support::scatter is already corrected for nu = 1.
 double
 commonErrorsOf (const Places& places, const std::vector<double>& growth)
 {
-  constexpr double least_share = 0.3; // of s: below, nearly all points err as one
+  // Below this value of s nearly all points of a support share one error.
+  constexpr double min_variance_share = 0.3;
   for (std::size_t level = 0; level < growth.size(); ++level) {
-    const double share = 1.0 / (growth[level] * growth[level]);
-    if (share > least_share)
-      return std::max (
-          1.0, (1.0 - share) * places.points_of_level[level] / parameters_of_plane);
+    const double variance_share = 1.0 / (growth[level] * growth[level]); // s
+    if (variance_share > min_variance_share)
+      return std::max (1.0,
+                       (1.0 - variance_share) * places.points_of_level[level] /
+                           parameters_of_plane);
   }
   return 1.0;
 }
 
-// Returns for each place the smallest noise [m] that its supports suggest: the scatter
-// of a support times the growth of its level. Takes the smallest, as large supports
-// overestimate the noise of surfaces that bend.
+// Returns for each place the smallest noise [m] that its supports suggest. A support
+// suggests its scatter times the growth of its level. Large supports suggest too much
+// where the surface bends.
 std::vector<float>
-leastNoise (const Places& places,
-            const std::vector<int>& settled_level,
-            const PlaceNoise& noise,
-            unsigned threads)
+smallestNoises (const Places& places,
+                const std::vector<int>& settled_level,
+                const PlaceNoise& noise,
+                unsigned threads)
 {
-  std::vector<float> least_noises (places.size());
+  std::vector<float> noises (places.size());
   forEach (threads, places.size(), [&] (std::size_t i) {
-    double least = places.supports[0][i].scatter * noise.growthOf (0);
+    double smallest = places.supports[0][i].scatter * noise.growthOf (0);
     for (std::size_t level = 1; level < places.supports.size(); ++level)
-      least =
-          std::min (least, places.supports[level][i].scatter * noise.growthOf (level));
+      smallest = std::min (smallest,
+                           places.supports[level][i].scatter * noise.growthOf (level));
     if (settled_level[i] != no_level)
-      least = std::min<double> (least, places.supports[settled_level[i]][i].scatter);
-    least_noises[i] = static_cast<float> (least);
+      smallest =
+          std::min<double> (smallest, places.supports[settled_level[i]][i].scatter);
+    noises[i] = static_cast<float> (smallest);
   });
-  return least_noises;
+  return noises;
 }
 
-// Returns for each place the geometric mean of the noise of itself and of eight of its
-// neighbors, near and far ones; if it has fewer than eight, some count twice.
+// Returns for each place the geometric mean of its own noise and that of eight of its
+// neighbors, near and far ones. If a place has fewer than eight neighbors, some count
+// twice.
+// \param[in] noise of each place [m]
 std::vector<float>
 smoothed (const Places& places, const std::vector<float>& noise, unsigned threads)
 {
-  constexpr std::size_t others = 8; // evenly spread from the nearest neighbor on
+  constexpr std::size_t neighbors = 8; // in even steps, from the nearest one on
   std::vector<float> logarithm (noise.size());
   forEach (threads, noise.size(), [&] (std::size_t i) {
     logarithm[i] = std::log (noise[i] + least_noise);
@@ -136,15 +144,16 @@ smoothed (const Places& places, const std::vector<float>& noise, unsigned thread
   std::vector<float> mean (noise.size());
   forEach (threads, noise.size(), [&] (std::size_t i) {
     double sum = logarithm[i];
-    for (std::size_t k = 0; k < others; ++k)
-      sum += logarithm[places.nearestOf (i)[k * places.neighbors / others]];
-    mean[i] = static_cast<float> (std::exp (sum / (others + 1.0)));
+    for (std::size_t k = 0; k < neighbors; ++k)
+      sum +=
+          logarithm[places.nearestOf (i)[k * places.neighbors_per_place / neighbors]];
+    mean[i] = static_cast<float> (std::exp (sum / (neighbors + 1.0)));
   });
   return mean;
 }
 
-// Whether a place has a flat support below a level, and the smallest flat one is not
-// exact: then its noise counts for the usual noise.
+// Whether the noise of a place counts for the usual noise: it has a flat support on a
+// level below end_level, and its smallest flat support is not exact.
 bool
 tellsNoise (const Places& places, std::size_t place, std::size_t end_level)
 {
@@ -154,36 +163,38 @@ tellsNoise (const Places& places, std::size_t place, std::size_t end_level)
   return false;
 }
 
-// Sets the usual noise, and that by density, from the places that tell their noise.
+// Sets CloudNoise::usual and usual_of_octave from the places that tell their noise.
+// \param[in] noise of each place [m]
 void
 measureUsualNoise (const Places& places,
                    const std::vector<float>& noise,
                    CloudNoise& cloud)
 {
-  std::vector<float> density;
-  std::vector<float> telling_noise;
-  const auto gather = [&] (std::size_t end_level) {
+  std::vector<float> telling_density; // of the places that tell their noise [1/m^2]
+  std::vector<float> telling_noise;   // of the same places [m]
+  const auto gatherTelling = [&] (std::size_t end_level) {
+    telling_density.clear();
+    telling_noise.clear();
     for (std::size_t i = 0; i < places.size(); ++i)
       if (tellsNoise (places, i, end_level)) {
-        density.push_back (places.density[i]);
+        telling_density.push_back (places.density[i]);
         telling_noise.push_back (noise[i]);
       }
   };
-  gather (1);
+  constexpr std::size_t end_of_smallest_level = 1; // the smallest supports alone
+  gatherTelling (end_of_smallest_level);
   const bool are_few =
       static_cast<double> (telling_noise.size()) <
       place_constants.min_telling_share * static_cast<double> (places.size());
-  if (are_few) {
-    density.clear();
-    telling_noise.clear();
-    gather (places.supports.size());
-  }
-  setUsualNoise (density, telling_noise, cloud);
+  if (are_few)
+    gatherTelling (places.supports.size());
+  setUsualNoise (telling_density, telling_noise, cloud);
 }
 
-// Limits the noise of each place to a range around the usual noise at its density: at
-// leaves and edges the scatter of supports is larger than the noise, and at some places
+// Limits the noise of each place to a range around the usual noise at its density. The
+// scatter of supports is larger than the noise at leaves and edges, and at some places
 // it is smaller by chance.
+// \param[in,out] noise of each place [m]
 void
 limitByUsual (const Places& places,
               const CloudNoise& cloud,
@@ -199,14 +210,14 @@ limitByUsual (const Places& places,
 }
 
 // Returns the level of the flattest support of a place if its nearest points are in two
-// layers, else 0. If a wall is thinner than the distance between points, the scatter of
-// its two sides together is far larger than the noise: only larger supports have the
-// normal of the wall.
+// layers, else 0. If a wall is thinner than the distance between neighboring points,
+// the points of its two sides together scatter far more than the noise: only larger
+// supports have the normal of the wall.
 std::size_t
 levelForTwoLayers (const Places& places, std::size_t place)
 {
   std::size_t flattest = 0;
-  double least_thickness = 1.0; // scatter over width
+  double least_thickness = 1.0; // scatter over width; flat supports have less
   for (std::size_t level = 0; level < places.supports.size(); ++level) {
     const Support& support = places.supports[level][place];
     if (support.is_flat && support.scatter < least_thickness * support.width) {
@@ -217,15 +228,17 @@ levelForTwoLayers (const Places& places, std::size_t place)
   if (flattest == 0)
     return 0;
   const Eigen::Vector3d normal = places.supports[flattest][place].normal.cast<double>();
-  std::vector<double> offsets{0.0}; // of the place and its neighbors along the normal
-  for (std::size_t k = 0; k < places.neighbors; ++k)
+  // Offsets along the normal from the place to itself and to its neighbors [m].
+  std::vector<double> offsets{0.0};
+  for (std::size_t k = 0; k < places.neighbors_per_place; ++k)
     offsets.push_back (normal.dot (places.position[places.nearestOf (place)[k]] -
                                    places.position[place]));
   std::sort (offsets.begin(), offsets.end());
   constexpr std::size_t min_points_of_layer = 3;
-  const double unexplained =
+  const double unexplained_by_layers =
       1.0 - bestTwoGroups (offsets, min_points_of_layer).explained_share;
-  return unexplained < place_constants.max_unexplained_by_layers ? flattest : 0;
+  return unexplained_by_layers < place_constants.max_unexplained_by_layers ? flattest
+                                                                           : 0;
 }
 
 } // namespace
@@ -247,8 +260,8 @@ noiseOfPlaces (const Places& places,
     noise.cloud.growth = growthsOf (places, settled_level);
     noise.cloud.common_errors = commonErrorsOf (places, noise.cloud.growth);
   }
-  noise.of_place =
-      smoothed (places, leastNoise (places, settled_level, noise, threads), threads);
+  noise.of_place = smoothed (
+      places, smallestNoises (places, settled_level, noise, threads), threads);
   if (!whole)
     measureUsualNoise (places, noise.of_place, noise.cloud);
   limitByUsual (places, noise.cloud, threads, noise.of_place);

@@ -13,8 +13,8 @@ namespace pcl_ops::internal {
 /** \brief The noise of a cloud, measured before any plane is found.
  *
  * With white noise supports of all sizes have the same scatter. With correlated noise,
- * as in depth images, neighbors err alike: the scatter of small supports is less than
- * the noise. The scatter grows from level to level until a support holds many
+ * as in depth images, neighboring points err alike: the scatter of small supports is
+ * less than the noise. The scatter grows from level to level until a support holds many
  * independent errors. From that level on supports are settled. */
 struct PlaceNoise {
   /** \brief Noise of each place [m]: the scatter expected in settled supports, averaged
@@ -34,24 +34,24 @@ struct PlaceNoise {
 };
 
 /** \brief Measures the noise of each place.
- * \param[in] whole the noise of the whole cloud if \p places are a part of it; else it
- * is measured from \p places */
+ * \param[in] whole the noise of the whole cloud if \p places are a part of it; if not
+ * given, the function measures it from \p places */
 PlaceNoise
 noiseOfPlaces (const Places& places,
                const std::optional<CloudNoise>& whole,
                unsigned threads);
 
-/** \brief The one support of each place that regions grow by. Has for each place the
- * members of \ref Support. */
+/** \brief For each place the one of its supports that growing regions use: a list for
+ * each member of \ref Support, with an entry for each place. */
 struct ChosenSupports {
   std::vector<Eigen::Vector3d> normal;
   std::vector<float> scatter, width;
   std::vector<char> is_flat;
 };
 
-/** \brief Chooses for each place the largest support whose scatter its noise explains.
- * If the noise explains none of them, chooses the smallest one; but if the nearest
- * points are in two layers, as the sides of a thin wall, the flattest one. */
+/** \brief Chooses for each place the largest support whose scatter is explained by the
+ * noise of the place. If there is none, chooses the smallest support; but the flattest
+ * one if the nearest points are in two layers, as the sides of a thin wall. */
 ChosenSupports
 chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads);
 

@@ -13,8 +13,8 @@ namespace pcl_ops::internal {
 bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points)
 {
-  // Expected number of drawn points. The default rate draws .18 points on average from
-  // a cloud of least_places points.
+  // Expected number of drawn points. It is below .18, which the default rate of .03
+  // draws on average from a cloud of least_places (6) points.
   constexpr double min_drawn = 0.1;
   return parameters.sampling_rate * static_cast<double> (points) < min_drawn;
 }
@@ -27,7 +27,7 @@ neighborhoodSizeFor (const OrientedPointSamplingParameters& parameters,
   // finds smaller planes.
   constexpr double default_k = 30.0;
   constexpr double default_rate = 0.03;
-  constexpr double exponent = 0.25; // ten times the rate: about half the neighbors
+  constexpr double exponent = 0.25; // ten times the rate: 0.56 times the neighbors
   const double factor = parameters.k / default_k *
                         std::pow (default_rate / parameters.sampling_rate, exponent);
   const std::optional<CloudNoise>& whole = parameters.noise_of_whole;
@@ -38,8 +38,8 @@ neighborhoodSizeFor (const OrientedPointSamplingParameters& parameters,
 double
 minPointsFactor (const OrientedPointSamplingParameters& parameters)
 {
-  constexpr double default_samples = 20.0;
-  return parameters.min_samples / default_samples;
+  constexpr double default_min_samples = 20.0;
+  return parameters.min_samples / default_min_samples;
 }
 
 } // namespace pcl_ops::internal

@@ -6,24 +6,25 @@
 
 #include <cstddef>
 
-// What the paper's parameters mean for detection on neighborhoods: the sampling rate
-// alpha_s, the number of neighbors k, and theta_N, min_samples.
+// What the paper's parameters mean for detection on neighborhoods: alpha_s
+// (sampling_rate), k (number of neighbors) and theta_N (min_samples).
 
 namespace pcl_ops::internal {
 
-/** \brief Least number of places of a cloud with planes. The check of thickness skips
- * planes with fewer places. */
+/** \brief In clouds with fewer places no planes are detected. Planes with fewer places
+ * are not checked for their thickness. */
 inline constexpr std::size_t least_places = 6;
 
-/** \brief Whether the sampling rate alpha_s would draw no point of a cloud with this
- * number of points, or hardly any: then no planes are detected. */
+/** \brief Whether the sampling rate alpha_s would draw hardly any of \p points points:
+ * then no planes are detected. */
 bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points);
 
 /** \brief Returns the number of points of a neighborhood, its place included, from
  * alpha_s, k and the size of the cloud.
- * \param[in] places number of places. It is the size of the cloud, too, unless these
- * places are a part of a cloud: then \p parameters.noise_of_whole has its size */
+ * \param[in] places number of places, the size of the cloud. But if these places are a
+ * part of a larger cloud, \p parameters.noise_of_whole has the size of that cloud
+ * \return at most \p places */
 std::size_t
 neighborhoodSizeFor (const OrientedPointSamplingParameters& parameters,
                      std::size_t places);

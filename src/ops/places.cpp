@@ -19,20 +19,20 @@ namespace pcl_ops::internal {
 namespace {
 
 // The arms of a place are the places whose supports are added to its own for the next
-// level. The first arms are the farthest places of its neighborhood. From level to
-// level arms are about twice as far away.
+// level: see describePlaces.
 
-// Small neighborhoods have fewer than eight arms.
+// Returns the number of arms of each place. Small neighborhoods have fewer than eight.
 std::size_t
 armsPerPlace (const Places& places)
 {
-  return std::min<std::size_t> (place_constants.arms, places.neighbors);
+  return std::min<std::size_t> (place_constants.arms, places.neighbors_per_place);
 }
 
 /** \brief For each place the moments of a support, about the origin of the local
  * frame. */
 using PlaceMoments = std::vector<Moments>;
 
+// Returns the moments of the supports of level 0.
 PlaceMoments
 momentsOfNeighborhoods (const Places& places, unsigned threads)
 {
@@ -40,7 +40,7 @@ momentsOfNeighborhoods (const Places& places, unsigned threads)
   forEach (threads, places.size(), [&] (std::size_t i) {
     const Eigen::Vector3d& own = places.position[i];
     moments[i].add (own.x(), own.y(), own.z());
-    for (std::size_t k = 0; k < places.neighbors; ++k) {
+    for (std::size_t k = 0; k < places.neighbors_per_place; ++k) {
       const Eigen::Vector3d& other = places.position[places.nearestOf (i)[k]];
       moments[i].add (other.x(), other.y(), other.z());
     }
@@ -48,10 +48,10 @@ momentsOfNeighborhoods (const Places& places, unsigned threads)
   return moments;
 }
 
-// Adds the variance of quantized depth: for each point that of a uniform distribution
-// along the depth direction, as wide as the step between depth levels. Random offsets
-// within the steps would add the same on average, but would change if a point is
-// missing.
+// Adds the variance of quantized depth: for each point the variance of a uniform
+// distribution along the depth direction, as wide as the step between depth levels.
+// Random offsets of the points within these steps would add the same variance on
+// average, but other points would get other offsets if one point is missing.
 void
 addQuantization (const Places& places,
                  const DepthLevels& levels,
@@ -73,15 +73,16 @@ addQuantization (const Places& places,
   };
   forEach (threads, places.size(), [&] (std::size_t i) {
     double squared_steps = squaredStep (i);
-    for (std::size_t k = 0; k < places.neighbors; ++k)
+    for (std::size_t k = 0; k < places.neighbors_per_place; ++k)
       squared_steps += squaredStep (places.nearestOf (i)[k]);
-    for (std::size_t p = 0; p < unit_products.size(); ++p)
-      moments[i].products[p] +=
-          squared_steps / squared_width_of_variance * unit_products[p];
+    for (std::size_t product = 0; product < unit_products.size(); ++product)
+      moments[i].products[product] +=
+          squared_steps / squared_width_of_variance * unit_products[product];
   });
 }
 
 // Makes a support from the principal axes of the covariance of its points.
+// \param[in] independent_points how many the support counts as, Places::points_of_level
 Support
 supportOf (const PrincipalAxes& axes, double independent_points)
 {
@@ -101,39 +102,40 @@ supportOf (const PrincipalAxes& axes, double independent_points)
 
 // Returns the support of each place. Computes the principal axes of many supports side
 // by side, which is faster.
-// \param[in] independent_points of each support
+// \param[in] independent_points how many each support counts as
 std::vector<Support>
 supportsFrom (const PlaceMoments& moments, double independent_points, unsigned threads)
 {
-  constexpr std::size_t at_once = 64;
+  constexpr std::size_t supports_per_piece = 64;
   std::vector<Support> supports (moments.size());
-  parallelFor (
-      threads, moments.size(), at_once, [&] (std::size_t begin, std::size_t end) {
-        std::array<Eigen::Matrix3d, at_once> matrices;
-        matrices.fill (Eigen::Matrix3d::Zero());
-        std::array<PrincipalAxes, at_once> axes;
-        for (std::size_t i = begin; i < end; ++i)
-          matrices[i - begin] = moments[i].covariance();
-        principalAxes (matrices.data(), end - begin, axes.data());
-        for (std::size_t i = begin; i < end; ++i)
-          supports[i] = supportOf (axes[i - begin], independent_points);
-      });
+  const auto computePiece = [&] (std::size_t begin, std::size_t end) {
+    std::array<Eigen::Matrix3d, supports_per_piece> covariances;
+    covariances.fill (Eigen::Matrix3d::Zero());
+    std::array<PrincipalAxes, supports_per_piece> axes;
+    for (std::size_t i = begin; i < end; ++i)
+      covariances[i - begin] = moments[i].covariance();
+    principalAxes (covariances.data(), end - begin, axes.data());
+    for (std::size_t i = begin; i < end; ++i)
+      supports[i] = supportOf (axes[i - begin], independent_points);
+  };
+  parallelFor (threads, moments.size(), supports_per_piece, computePiece);
   return supports;
 }
 
-// Returns for each place its moments plus those of its arms.
+// Returns for each place its moments plus those of its arms: the moments of the next
+// level.
 PlaceMoments
-addArms (const PlaceMoments& moments,
-         const Indices& arms,
-         std::size_t arms_per_place,
-         unsigned threads)
+withArms (const PlaceMoments& moments,
+          const Indices& arms,
+          std::size_t arms_per_place,
+          unsigned threads)
 {
-  PlaceMoments added (moments);
+  PlaceMoments next_moments (moments);
   forEach (threads, moments.size(), [&] (std::size_t i) {
     for (std::size_t k = 0; k < arms_per_place; ++k)
-      added[i].addAligned (moments[arms[i * arms_per_place + k]]);
+      next_moments[i].addAligned (moments[arms[i * arms_per_place + k]]);
   });
-  return added;
+  return next_moments;
 }
 
 // Returns the arms for level 1: the farthest of the nearest points of each place.
@@ -142,16 +144,16 @@ firstArms (const Places& places, std::size_t arms_per_place, unsigned threads)
 {
   Indices arms (places.size() * arms_per_place);
   forEach (threads, places.size(), [&] (std::size_t i) {
-    std::copy_n (places.nearestOf (i) + places.neighbors - arms_per_place,
+    std::copy_n (places.nearestOf (i) + places.neighbors_per_place - arms_per_place,
                  arms_per_place,
                  arms.data() + i * arms_per_place);
   });
   return arms;
 }
 
-/** \brief The positions of the arms of a place, next to each other in memory: looking
- * up each one took a quarter of the time of the whole detection. If there are fewer
- * than eight arms, the last one is repeated. */
+/** \brief The positions of the arms of a place [m], next to each other in memory:
+ * looking up each one took a quarter of the time of the whole detection. If there are
+ * fewer than eight arms, the last one is repeated. */
 struct ArmPositions {
   static constexpr std::size_t size = place_constants.arms;
   std::array<float, size> x, y, z;
@@ -176,8 +178,9 @@ positionsOf (const Coordinates& points,
   return positions;
 }
 
-// Returns the index among the arms of the one farthest from (x, y, z), the lowest index
-// in case of a tie: never that of a repeated arm.
+// Returns which of the arms is farthest from the position (x, y, z): its index in
+// ArmPositions. In case of a tie the lowest index wins, so that it is never that of a
+// repeated arm.
 std::size_t
 farthestOf (const ArmPositions& arms, float x, float y, float z)
 {
@@ -227,19 +230,22 @@ longerArms (const Coordinates& points,
 std::vector<double>
 pointsOfLevels (const Places& places)
 {
-  std::vector<double> points{static_cast<double> (places.neighbors + 1)};
-  const double most =
+  std::vector<double> points_of_level{
+      static_cast<double> (places.neighbors_per_place + 1)};
+  const double max_points =
       place_constants.max_share_of_points * static_cast<double> (places.size());
-  while (
-      static_cast<int> (points.size()) < place_constants.max_levels &&
-      (points.size() < 2 || points.back() * place_constants.points_per_level <= most))
-    points.push_back (points.back() * place_constants.points_per_level);
-  return points;
+  const auto nextPoints = [&] {
+    return points_of_level.back() * place_constants.points_per_level;
+  };
+  while (static_cast<int> (points_of_level.size()) < place_constants.max_levels &&
+         (points_of_level.size() < 2 || nextPoints() <= max_points))
+    points_of_level.push_back (nextPoints());
+  return points_of_level;
 }
 
-// Returns the points with their depth levels moved closer together. Levels are farther
-// apart than the points on them: without the move, all nearest points of a place would
-// be on its own level.
+// Returns the points with their depth levels moved closer together. The distance
+// between levels is larger than that between points of one level: without the move, all
+// nearest points of a place would be on its own level.
 Coordinates
 withNearerLevels (const Coordinates& points, const DepthLevels& levels)
 {
@@ -269,12 +275,12 @@ addSupports (const Coordinates& points,
   places.points_of_level = pointsOfLevels (places);
   PlaceMoments moments = momentsOfNeighborhoods (places, threads);
   addQuantization (places, levels, threads, moments);
-  Indices arms = firstArms (places, arms_per_place, threads);
+  Indices arms = firstArms (places, arms_per_place, threads); // those of level 1
   for (std::size_t level = 0; level < places.points_of_level.size(); ++level) {
     if (level > 1)
       arms = longerArms (points, arms, arms_per_place, threads);
     if (level > 0)
-      moments = addArms (moments, arms, arms_per_place, threads);
+      moments = withArms (moments, arms, arms_per_place, threads);
     places.supports.push_back (
         supportsFrom (moments, places.points_of_level[level], threads));
   }
@@ -285,9 +291,9 @@ addSupports (const Coordinates& points,
 std::size_t
 neighborhoodSize (double points, double factor)
 {
-  // Through any three points there is a plane, so the scatter of fewer than six says
-  // little.
-  constexpr double least = 6.0;
+  // Any three points lie on a plane, so the scatter of fewer than six points says
+  // little about the noise.
+  constexpr double min_size = 6.0;
   const double usual = place_constants.min_neighborhood *
                        std::pow (points / place_constants.points_of_min_neighborhood,
                                  place_constants.neighborhood_exponent);
@@ -296,7 +302,7 @@ neighborhoodSize (double points, double factor)
                                        place_constants.min_neighborhood,
                                        place_constants.max_neighborhood));
   return static_cast<std::size_t> (
-      std::clamp (wanted, least, static_cast<double> (NearestPoints::max_size)));
+      std::clamp (wanted, min_size, static_cast<double> (NearestPoints::max_size)));
 }
 
 Places
@@ -305,7 +311,7 @@ describePlaces (const Coordinates& points,
                 unsigned threads)
 {
   Places places;
-  places.neighbors = neighborhood_size - 1;
+  places.neighbors_per_place = neighborhood_size - 1;
   places.position.resize (points.size());
   forEach (
       threads, points.size(), [&] (std::size_t i) { places.position[i] = points[i]; });
@@ -313,11 +319,11 @@ describePlaces (const Coordinates& points,
   const DepthLevels levels = findDepthLevels (points, tree);
   if (!levels.step.empty())
     tree = PointTree (withNearerLevels (points, levels), threads);
-  places.nearest = findAllNearest (tree, places.neighbors, threads);
+  places.nearest = findAllNearest (tree, places.neighbors_per_place, threads);
   addSupports (points, levels, threads, places);
   places.density.resize (points.size());
   forEach (threads, points.size(), [&] (std::size_t i) {
-    constexpr float least_area = 1e-30F; // avoids a division by 0
+    constexpr float least_area = 1e-30F; // [m^2], avoids a division by 0
     const float width = places.supports[0][i].width;
     places.density[i] =
         static_cast<float> (neighborhood_size) / (width * width + least_area);

@@ -15,10 +15,11 @@ struct Support {
   /** \brief Rms distance of the points to the plane [m], corrected for the three
    * parameters of the fit. */
   float scatter = 0.0F;
-  /** \brief Extent in the narrower direction of the plane [m]. */
+  /** \brief Extent of the points in the narrower direction in the plane [m]: the width
+   * of a uniform distribution with their variance. */
   float width = 0.0F;
-  /** \brief Whether it is thin for its width and no line: PlaceConstants::max_thickness
-   * and min_slimness. */
+  /** \brief Whether its scatter is small for its width, and it is no line. The limits
+   * are PlaceConstants::max_thickness and min_slimness. */
   bool is_flat = false;
 };
 
@@ -30,9 +31,9 @@ struct Places {
   /** \brief [m] in the local frame, whose zero is Points::origin. */
   std::vector<Eigen::Vector3d> position;
   /** \brief The nearest places of each place, without itself, nearest first: \ref
-   * neighbors entries for place 0, then as many for place 1, and so on. */
+   * neighbors_per_place entries for place 0, then as many for place 1, and so on. */
   Indices nearest;
-  std::size_t neighbors = 0;
+  std::size_t neighbors_per_place = 0;
   /** \brief For each place the points of its neighborhood over the squared width of
    * its smallest support [1/m^2]. */
   std::vector<float> density;
@@ -47,29 +48,31 @@ struct Places {
     return position.size();
   }
 
-  /** \brief Pointer to the \ref neighbors nearest places of a place. */
+  /** \brief Pointer to the \ref neighbors_per_place nearest places of a place. */
   const std::uint32_t*
   nearestOf (std::size_t place) const
   {
-    return nearest.data() + place * neighbors;
+    return nearest.data() + place * neighbors_per_place;
   }
 };
 
-/** \brief Returns the number of points of a neighborhood, its place included.
+/** \brief Returns the number of points of a neighborhood, its place included. The
+ * number follows from the size of the cloud as PlaceConstants::min_neighborhood
+ * describes.
  * \param[in] points number of points of the cloud
- * \param[in] factor multiplies the usual size, PlaceConstants::min_neighborhood
+ * \param[in] factor multiplies the number before it is rounded
  * \return 6 to NearestPoints::max_size; may exceed \p points */
 std::size_t
 neighborhoodSize (double points, double factor);
 
-/** \brief Finds the nearest points of each point, and fits planes to the supports
- * around it.
+/** \brief Makes each point a place: finds its nearest points, and fits planes to its
+ * supports.
  *
  * The smallest support of a place is its neighborhood. The support of the next level
  * adds up the supports of the place and of its arms: eight places around it (fewer in
- * small neighborhoods), at first the farthest places of its neighborhood. From level to
- * level arms are about twice as far away. So all levels cost the same, however many
- * points their supports have.
+ * small neighborhoods). On level 1 they are the farthest places of its neighborhood.
+ * From level to level they are about twice as far away. So all levels cost the same,
+ * however many points their supports have.
  * \param[in] points six (least_places) or more, all different, in an order that depends
  * only on their coordinates: so the result does not depend on the order of the cloud
  * \param[in] neighborhood_size points of a neighborhood, its place included; at most as

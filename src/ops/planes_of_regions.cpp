@@ -19,8 +19,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Whether a place has a neighbor one coordinate step away along the axis nearest to a
-// normal.
+// Whether a place has a twin: a neighbor one coordinate step away along the axis
+// nearest to a normal.
+// \param[in] steps of rounded coordinates along x, y and z [m]
 bool
 hasTwin (const Places& places,
          std::size_t place,
@@ -31,21 +32,23 @@ hasTwin (const Places& places,
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff (&axis);
   const std::uint32_t* const nearest = places.nearestOf (place);
-  return std::any_of (nearest, nearest + places.neighbors, [&] (std::uint32_t other) {
-    Eigen::Vector3d off = (places.position[other] - places.position[place]).cwiseAbs();
-    off[axis] -= steps[axis];
-    return off.lpNorm<Eigen::Infinity>() < tolerance * steps[axis];
-  });
+  return std::any_of (
+      nearest, nearest + places.neighbors_per_place, [&] (std::uint32_t other) {
+        Eigen::Vector3d deviation =
+            (places.position[other] - places.position[place]).cwiseAbs();
+        deviation[axis] -= steps[axis];
+        return deviation.lpNorm<Eigen::Infinity>() < tolerance * steps[axis];
+      });
 }
 
 // Returns for each region the step of rounded coordinates along its normal [m]:
-// rounding puts a surface into layers that far apart. The step is 0 if coordinates were
-// not rounded.
+// rounding puts the places of a surface into layers that are one step apart. The step
+// is 0 if coordinates were not rounded.
 //
-// Exception: layers one step apart may be the two sides of a thin body whose points lie
-// on an exact grid. Then nearly every place has another one exactly one step away
-// across the plane (hasTwin). Rounding a single surface puts each place into only one
-// layer. For such bodies the step is 0, so that splitThinWalls may separate the sides.
+// The step is also 0 for a thin body whose points lie on an exact grid: its layers are
+// its two sides, which splitThinWalls may separate. In such a body nearly every place
+// has a twin (hasTwin) on the other side. Rounding a single surface puts each place
+// into only one layer.
 // \param[in] distinct coordinates of the places
 std::vector<double>
 roundingSteps (const Coordinates& distinct,
@@ -53,27 +56,29 @@ roundingSteps (const Coordinates& distinct,
                const Regions& regions)
 {
   constexpr double min_share_of_twins = 0.9;
-  std::vector<double> step (regions.list.size(), 0.0);
-  const Eigen::Vector3d steps = coordinateSteps (distinct);
+  std::vector<double> step_of_region (regions.list.size(), 0.0);
+  const Eigen::Vector3d steps = coordinateSteps (distinct); // along x, y and z [m]
   if (steps.isZero (0.0))
-    return step;
-  std::vector<double> twins (step.size(), 0.0);
+    return step_of_region;
+  // For each region how many of its places have a twin.
+  std::vector<double> twins (step_of_region.size(), 0.0);
   for (std::size_t i = 0; i < places.size(); ++i)
     if (const std::int32_t region = regions.of_place[i]; region != no_plane)
       twins[region] +=
           hasTwin (places, i, regions.list[region].fit.plane.normal, steps) ? 1.0 : 0.0;
-  for (std::size_t r = 0; r < step.size(); ++r) {
+  for (std::size_t r = 0; r < step_of_region.size(); ++r) {
     const Region& region = regions.list[r];
     if (twins[r] < min_share_of_twins * region.moments.count)
-      step[r] = region.fit.plane.normal.cwiseProduct (steps).norm();
+      step_of_region[r] = region.fit.plane.normal.cwiseProduct (steps).norm();
   }
-  return step;
+  return step_of_region;
 }
 
 // Splits each region that grew over both sides of a thin wall into two planes. The new
 // planes have the indices after the last region.
 // \param[in] distinct coordinates of the places
-// \param[in,out] labels of the places
+// \param[in,out] labels of the places: indices of their planes
+// \param[in,out] is_plane for each region; each new plane adds a 1
 void
 splitThinWalls (const Coordinates& distinct,
                 const Places& places,
@@ -85,21 +90,24 @@ splitThinWalls (const Coordinates& distinct,
   // Least distance of the sides, in units of the noise. It is below 2: noise that was
   // measured over both sides of a wall is half of their distance.
   constexpr double noises_apart = 1.7;
-  constexpr double steps_apart = 1.5; // above 1, the distance of layers by rounding
-  const std::vector<double> step = roundingSteps (distinct, places, regions);
+  // The same in steps of rounded coordinates. It is above 1: rounding alone makes
+  // layers that are one step apart.
+  constexpr double steps_apart = 1.5;
+  const std::vector<double> step_of_region = roundingSteps (distinct, places, regions);
   std::vector<Plane> planes;
-  std::vector<double> min_apart;
+  std::vector<double> min_apart; // least distance of the sides of each region [m]
   for (std::size_t r = 0; r < regions.list.size(); ++r) {
     planes.push_back (regions.list[r].fit.plane);
     min_apart.push_back (std::max ({noises_apart * regions.list[r].noise,
-                                    steps_apart * step[r],
+                                    steps_apart * step_of_region[r],
                                     distance_threshold.value_or (0.0)}));
   }
   splitLayers (distinct, planes, min_apart, labels, is_plane);
 }
 
-// Returns for each plane the noises of all items with its label.
+// Returns for each plane the noises of all items with its label [m].
 // \param[in] labels of the items, places or points
+// \param[in] planes number of planes
 // \param[in] noise_of_item called with the index of an item
 template <typename NoiseOfItem>
 std::vector<std::vector<float>>
@@ -147,8 +155,8 @@ dropThickPlanes (const Coordinates& distinct,
   }
 }
 
-// Labels each point of the cloud as its place. The planes that are kept get successive
-// labels from 0 on.
+// Gives each point of the cloud the label of its place. The planes that are kept get
+// successive labels from 0 on; other places get no_plane.
 AssignedPoints
 labelPointsOf (const Points& points,
                const DistinctPlaces& distinct,
@@ -173,7 +181,7 @@ labelPointsOf (const Points& points,
 }
 
 // Fits planes to the assigned points. Merges planes only if the user gave a merging
-// distance: else the joins of regions have done it.
+// distance: without one, the joins of regions replace the merging.
 LabelledPlanes
 fitAndMerge (AssignedPoints assigned, const OrientedPointSamplingParameters& parameters)
 {

@@ -13,7 +13,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Turns regions into labelled planes. Assigns each point to a plane or to
+/** \brief Turns regions into labeled planes. Assigns each point to a plane or to
  * no_plane. Splits planes that are the two sides of a thin wall. Drops planes that are
  * much thicker than their noise, unless the user gave a distance threshold. Merges
  * planes if the user gave a merging distance. Sets the noise of each plane, and the

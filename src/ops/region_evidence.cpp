@@ -15,7 +15,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Regions with fewer places are scraps: a border with a scrap is open.
+// The border to a region with fewer places counts as open.
 constexpr std::size_t min_places_of_neighbor = 12;
 
 // Returns the places of each region.
@@ -29,66 +29,87 @@ membersOf (const Regions& regions)
   return members;
 }
 
-// Returns RegionEvidence::bend. Fits a quadratic surface to the places of a region by
-// least squares: its height over the plane of the region is a sum of the terms 1, s, t,
-// s^2, s t, t^2, with coordinates s and t in the plane in units of the width. Returns
-// the rms height of that surface divided by the rms residual, at most max_bend.
-double
-bendOf (const Places& places, const Region& region, const Indices& members)
+/** \brief The normal equations for the quadratic surface through the places of a
+ * region: the height of the surface over the plane of the region is a weighted sum of
+ * the terms 1, s, t, s^2, s t, t^2, with coordinates s and t in the plane in units of
+ * the width of the region. */
+struct SurfaceEquations {
+  static constexpr std::size_t terms = 6;
+  Eigen::Matrix<double, terms, terms> products =
+      Eigen::Matrix<double, terms, terms>::Zero();
+  Eigen::Matrix<double, terms, 1> right_side = Eigen::Matrix<double, terms, 1>::Zero();
+  double sum_of_squared_heights = 0.0; // of the places over the plane [m^2]
+};
+
+// \param[in] members places of the region
+// \param[in] width of the region [m], above 0
+SurfaceEquations
+surfaceEquations (const Places& places,
+                  const Region& region,
+                  const Indices& members,
+                  double width)
 {
-  constexpr std::size_t terms = 6;
-  constexpr double ridge = 1e-9; // keeps the system solvable for a line
-  // Added to the residual variance, in units of the squared width: exact places have
-  // no residuals. With 1e-4, the square of join_bend_of_width, the F-score in streets
-  // falls from .77 to .69 because of false planes.
-  constexpr double added_variance = 1e-6;
-  using NormalMatrix = Eigen::Matrix<double, terms, terms>;
-  using Vector = Eigen::Matrix<double, terms, 1>;
-  if (members.size() < terms)
-    return 0.0;
   const Eigen::Vector3d& normal = region.fit.plane.normal;
   const Eigen::Vector3d u = normal.unitOrthogonal();
   const Eigen::Vector3d v = normal.cross (u);
-  constexpr double least_width = 1e-12; // [m], keeps quotients finite
-  const double width = region.width() + least_width;
-  NormalMatrix products = NormalMatrix::Zero();
-  Vector right_side = Vector::Zero();
-  double squared_heights = 0.0;
+  SurfaceEquations equations;
   for (const std::uint32_t place : members) {
     const Eigen::Vector3d from_center = places.position[place] - region.fit.centroid;
     const double s = from_center.dot (u) / width;
     const double t = from_center.dot (v) / width;
     const double height = from_center.dot (normal);
-    Vector row;
-    row << 1.0, s, t, s * s, s * t, t * t;
-    products += row * row.transpose();
-    right_side += row * height;
-    squared_heights += height * height;
+    Eigen::Matrix<double, SurfaceEquations::terms, 1> terms_at_place;
+    terms_at_place << 1.0, s, t, s * s, s * t, t * t;
+    equations.products += terms_at_place * terms_at_place.transpose();
+    equations.right_side += terms_at_place * height;
+    equations.sum_of_squared_heights += height * height;
   }
+  return equations;
+}
+
+// Returns RegionEvidence::bend, with a quadratic surface fitted by least squares.
+// \param[in] members places of the region
+double
+bendOf (const Places& places, const Region& region, const Indices& members)
+{
+  constexpr double ridge = 1e-9; // keeps the equations solvable for places on a line
+  // Added to the variance of the residuals, in units of the squared width: exact places
+  // have no residuals. With 1e-4, the square of join_bend_of_width, the F-score in
+  // streets falls from .77 to .69 because of false planes.
+  constexpr double added_variance = 1e-6;
+  constexpr double least_width = 1e-12; // [m], keeps quotients finite
+  if (members.size() < SurfaceEquations::terms)
+    return 0.0;
+  const double width = region.width() + least_width;
+  SurfaceEquations equations = surfaceEquations (places, region, members, width);
   const auto count = static_cast<double> (members.size());
-  products.diagonal().array() += ridge * count;
-  const Vector surface = products.ldlt().solve (right_side);
-  const double squared_surface_heights =
-      std::clamp (surface.dot (right_side), 0.0, squared_heights);
-  const double residual_variance = (squared_heights - squared_surface_heights) / count +
-                                   added_variance * width * width;
-  return std::min (std::sqrt (squared_surface_heights / count / residual_variance),
-                   place_constants.max_bend);
+  equations.products.diagonal().array() += ridge * count;
+  const Eigen::Matrix<double, SurfaceEquations::terms, 1> weights =
+      equations.products.ldlt().solve (equations.right_side);
+  const double sum_of_squared_surface_heights = std::clamp (
+      weights.dot (equations.right_side), 0.0, equations.sum_of_squared_heights);
+  const double residual_variance =
+      (equations.sum_of_squared_heights - sum_of_squared_surface_heights) / count +
+      added_variance * width * width;
+  return std::min (
+      std::sqrt (sum_of_squared_surface_heights / count / residual_variance),
+      place_constants.max_bend);
 }
 
 /** \brief The border of a region. A link leads from a place of the region to a neighbor
  * of that place outside of the region. */
 struct Border {
   double links = 0.0;      // their number
-  double open_links = 0.0; // number of links to places in no region, or in a scrap
+  double open_links = 0.0; // number of those to places in no region or in a small one
   /** \brief Sum over smooth links of the bend of the region that the link leads to. */
   double sum_of_smooth_bends = 0.0;
 };
 
-// Whether a link is smooth: a round surface may continue over it from one plane to
-// another. The link must run along the first plane rather than away from it, and the
-// angle between the planes must be neither small nor large.
-// \param[in] link vector from the place in the first plane to the other place
+// Whether a link is smooth: a round surface may continue over it from plane own to
+// plane other. The link must run along plane own rather than away from it. The angle
+// between the planes must be neither small, as between pieces of one plane, nor large,
+// as at an edge.
+// \param[in] link vector from the place in region own to its neighbor
 bool
 isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& link)
 {
@@ -102,7 +123,8 @@ isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& link)
 
 // Returns the border of one region.
 // \param[in] members the places of each region
-// \param[in] bend of each region
+// \param[in] bend of each region, RegionEvidence::bend
+// \param[in] region its index
 Border
 borderOf (const Places& places,
           const ChosenSupports& chosen,
@@ -113,7 +135,7 @@ borderOf (const Places& places,
 {
   Border border;
   for (const std::uint32_t place : members[region])
-    for (std::size_t k = 0; k < places.neighbors; ++k) {
+    for (std::size_t k = 0; k < places.neighbors_per_place; ++k) {
       const std::uint32_t neighbor = places.nearestOf (place)[k];
       const std::int32_t other = regions.of_place[neighbor];
       if (other == static_cast<std::int32_t> (region))
@@ -130,8 +152,10 @@ borderOf (const Places& places,
   return border;
 }
 
-// \param[in] points number of points of the region
+// Returns the evidence for and against a region being a plane.
+// \param[in] points number of places of the region
 // \param[in] cloud the number of points and the common errors of the whole cloud
+// \param[in] bend,border those of the region
 RegionEvidence
 evidenceOf (double points, const CloudNoise& cloud, double bend, const Border& border)
 {
@@ -171,26 +195,29 @@ planesAmong (const Places& places,
   const double min_points = min_points_factor * place_constants.min_independent_points *
                             noise.cloud.common_errors;
   std::vector<double> bend (members.size());
-  // Each piece of the loops is one region, so that its begin is the index.
-  parallelFor (threads, members.size(), 1, [&] (std::size_t region, std::size_t) {
-    bend[region] = bendOf (places, regions.list[region], members[region]);
-  });
+  // Each piece of the loops is one region: the begin of the piece is its index.
+  constexpr std::size_t one_region = 1;
+  parallelFor (
+      threads, members.size(), one_region, [&] (std::size_t region, std::size_t) {
+        bend[region] = bendOf (places, regions.list[region], members[region]);
+      });
   std::vector<char> is_plane (members.size(), 0);
-  parallelFor (threads, members.size(), 1, [&] (std::size_t region, std::size_t) {
-    const auto points = static_cast<double> (members[region].size());
-    const std::ptrdiff_t flat_places = std::count_if (
-        members[region].begin(), members[region].end(), [&] (std::uint32_t place) {
-          return chosen.is_flat[place] != 0;
-        });
-    if (points < min_points || flat_places < place_constants.min_flat_places)
-      return;
-    const RegionEvidence evidence =
-        evidenceOf (points,
-                    noise.cloud,
-                    bend[region],
-                    borderOf (places, chosen, regions, members, bend, region));
-    is_plane[region] = evidence.sum() > 0.0 ? 1 : 0;
-  });
+  parallelFor (
+      threads, members.size(), one_region, [&] (std::size_t region, std::size_t) {
+        const auto points = static_cast<double> (members[region].size());
+        const std::ptrdiff_t flat_places = std::count_if (
+            members[region].begin(), members[region].end(), [&] (std::uint32_t place) {
+              return chosen.is_flat[place] != 0;
+            });
+        if (points < min_points || flat_places < place_constants.min_flat_places)
+          return;
+        const RegionEvidence evidence =
+            evidenceOf (points,
+                        noise.cloud,
+                        bend[region],
+                        borderOf (places, chosen, regions, members, bend, region));
+        is_plane[region] = evidence.sum() > 0.0 ? 1 : 0;
+      });
   return is_plane;
 }
 

@@ -13,15 +13,16 @@ struct RegionEvidence {
   /** \brief Base 10 logarithm of the ratio of its points to the square root of the
    * number of points of the cloud; smaller if neighboring points err alike. */
   double size = 0.0;
-  /** \brief A quadratic surface is fitted to the region: the rms of its height above
-   * the plane of the region, divided by the rms of the residuals. It is 0 if the region
+  /** \brief Rms height, above the plane of the region, of a quadratic surface fitted to
+   * its places, divided by the rms of the residuals of this fit. It is 0 if the region
    * is flat or has fewer than 6 places, and at most PlaceConstants::max_bend. */
   double bend = 0.0;
-  /** \brief Sum over adjacent regions that continue it smoothly: their share of its
-   * border, times their bend. High for the facets of a round surface. */
+  /** \brief Sum over the adjacent regions that continue the region smoothly: the share
+   * of its border that touches them, times their bend. High for the facets of a round
+   * surface. */
   double smooth_border = 0.0;
-  /** \brief Share of its border beyond which there is no region, or only a scrap (a
-   * region with few places). */
+  /** \brief Share of its border beyond which there is no region, or only one with fewer
+   * than 12 places. */
   double open_border = 0.0;
 
   /** \brief Returns the weighted sum of the evidence; above 0 the region is a plane. */

@@ -27,8 +27,10 @@ isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
   return points != other_points ? points > other_points : first < second;
 }
 
-// Joins each region into the region that it picks, if that one picks none itself; else
-// it waits for the next round. Returns whether any regions were joined.
+// Joins each region into the region that it picks, if the picked region picks none
+// itself; else the region waits for the next round.
+// \param[in] pick for each region the index of the region that it picks, or no_plane
+// \return whether any regions were joined
 bool
 joinPicked (const Labels& pick, Regions& regions)
 {
@@ -57,8 +59,8 @@ joinPicked (const Labels& pick, Regions& regions)
 }
 
 // Returns how far the points of a region are from its plane because of noise [m]. The
-// rms distance is no measure of that: with it, a region that bends would take all
-// adjacent pieces of its surface.
+// rms distance of a region also has its bend: with the rms distance, a region that
+// bends would take all adjacent pieces of its surface.
 double
 thicknessOf (const Region& region)
 {
@@ -67,21 +69,22 @@ thicknessOf (const Region& region)
 
 /** \brief Where region own touches region other. */
 struct Contact {
-  std::int32_t own;
-  std::int32_t other;
+  std::int32_t own;   // index of the region in Regions::list
+  std::int32_t other; // index of the other region
   /** \brief Number of places of region own with a neighbor in region other. */
   int places;
   /** \brief How many of these places lie on the plane of region other. */
   int fitting_places;
 };
 
+// Whether the first contact comes before the second one in Borders::contacts.
 bool
 isBefore (const Contact& first, const Contact& second)
 {
   return first.own != second.own ? first.own < second.own : first.other < second.other;
 }
 
-// Adds the contacts of one place, one for each other region among its neighbors.
+// Adds the contacts of one place, one for each other region that its neighbors are in.
 void
 addContacts (const Places& places,
              const Regions& regions,
@@ -96,24 +99,28 @@ addContacts (const Places& places,
         contacts.end(),
         [=] (const Contact& contact) { return contact.other == other; });
   };
-  for (std::size_t k = 0; k < places.neighbors; ++k) {
+  for (std::size_t k = 0; k < places.neighbors_per_place; ++k) {
     const std::int32_t other = regions.of_place[places.nearestOf (place)[k]];
     if (other == no_plane || other == own || isCounted (other))
       continue;
-    const Region& region = regions.list[other];
-    // Twice as many noises as liesOn allows, but the same bend: the halves of a
-    // cambered road bend, so that their borders lie off each other's planes.
-    const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region) +
-                         place_constants.bend_of_width * region.width();
-    const double distance = region.fit.plane.distance (places.position[place]);
+    const Region& other_region = regions.list[other];
+    // Twice as much noise as liesOn allows, but the same bend: the halves of a cambered
+    // road bend, so that their borders lie off each other's planes.
+    constexpr double noises_of_border = 2.0 * place_constants.noises_of_join;
+    const double reach = noises_of_border * thicknessOf (other_region) +
+                         place_constants.bend_of_width * other_region.width();
+    const double distance = other_region.fit.plane.distance (places.position[place]);
     contacts.push_back ({own, other, 1, std::abs (distance) < reach ? 1 : 0});
   }
 }
 
+/** \brief Where regions touch each other. */
 struct Borders {
-  /** \brief Sorted; of two regions that touch up to two, as each may be own. */
+  /** \brief Sorted by \ref isBefore. Two regions that touch have one or two contacts:
+   * each of both may be Contact::own. */
   std::vector<Contact> contacts;
-  /** \brief Number of border places of each region: those that touch other regions. */
+  /** \brief For each region how many of its places have a neighbor in another region.
+   */
   std::vector<int> border_places;
 };
 
@@ -133,34 +140,36 @@ summed (std::vector<Contact> contacts)
   return sums;
 }
 
-/** \brief The border places, and their contacts, of one piece of a parallel loop. */
+/** \brief The places that touch other regions, and their contacts, found by one piece
+ * of a parallel loop. */
 struct BorderPart {
   Indices places;
   std::vector<Contact> contacts;
 };
 
-// Finds where regions touch. From join to join a place can only cease to touch another
-// region, so that each call looks at the places that touched one in the call before.
-// \param[in,out] border places that may touch other regions; returns those that do
+// Finds where regions touch. By a join a place can only cease to touch another region,
+// so that each call looks only at the places that touched one in the call before.
+// \param[in,out] border places that may touch other regions; reduced to those that do
 Borders
 bordersOf (const Places& places,
            const Regions& regions,
            unsigned threads,
            Indices& border)
 {
-  constexpr std::size_t at_once = 4096;
-  const std::vector<BorderPart> parts = parallelChunks (
-      threads, border.size(), at_once, [&] (std::size_t begin, std::size_t end) {
-        BorderPart part;
-        for (std::size_t i = begin; i < end; ++i) {
-          const std::size_t before = part.contacts.size();
-          addContacts (places, regions, border[i], part.contacts);
-          if (part.contacts.size() > before)
-            part.places.push_back (border[i]);
-        }
-        part.contacts = summed (std::move (part.contacts));
-        return part;
-      });
+  constexpr std::size_t places_per_piece = 4096;
+  const auto borderOfPiece = [&] (std::size_t begin, std::size_t end) {
+    BorderPart part;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t contacts_before = part.contacts.size();
+      addContacts (places, regions, border[i], part.contacts);
+      if (part.contacts.size() > contacts_before)
+        part.places.push_back (border[i]);
+    }
+    part.contacts = summed (std::move (part.contacts));
+    return part;
+  };
+  const std::vector<BorderPart> parts =
+      parallelPieces (threads, border.size(), places_per_piece, borderOfPiece);
   Borders borders;
   border.clear();
   for (const BorderPart& part : parts) {
@@ -186,8 +195,8 @@ liesOn (const Region& own, const Region& other)
   return detail::meanSquaredDistance (own.moments, other.fit.plane) <= reach * reach;
 }
 
-// Whether two regions together bend little for their width. The halves of a cambered
-// road do: they tilt against each other by more than their noise.
+// Whether two regions together bend little for their width, as the halves of a cambered
+// road, which tilt against each other by more than their noise.
 bool
 areNearlyFlat (const Region& own, const Region& other)
 {
@@ -203,12 +212,13 @@ areNearlyFlat (const Region& own, const Region& other)
   return fit->variances[0] <= limit * limit;
 }
 
-// Whether a region is a piece of the plane of a larger one.
+// Whether region own is a piece of the plane of the larger region other.
 bool
-areOnePlane (const Region& own, const Region& other)
+isPieceOf (const Region& own, const Region& other)
 {
-  constexpr double points_of_normal = 24.0; // the normal of fewer is random
-  if (own.moments.count < points_of_normal)
+  // The normal of a region with fewer points is random.
+  constexpr double min_points_of_normal = 24.0;
+  if (own.moments.count < min_points_of_normal)
     return liesOn (own, other);
   const bool is_parallel =
       std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) >=
@@ -216,8 +226,9 @@ areOnePlane (const Region& own, const Region& other)
   return is_parallel && (liesOn (own, other) || areNearlyFlat (own, other));
 }
 
-// Returns a contact plus the counts of the opposite one, if there is one: neighbors
-// are not always mutual.
+// Returns a contact plus the counts of the opposite one. There may be none: a place is
+// not always a neighbor of its neighbors.
+// \param[in] sorted all contacts
 Contact
 fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
 {
@@ -232,9 +243,9 @@ fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
           contact.fitting_places + found->fitting_places};
 }
 
-// Picks for each region a larger one that it touches and whose plane it is a piece of:
-// the one with most Contact::fitting_places, counted from both sides; no_plane if there
-// is none.
+// Returns for each region the index of the region that it picks, or no_plane: one of
+// the larger regions that it touches and whose plane it is a piece of, the one with
+// most Contact::fitting_places, counted from both sides.
 Labels
 pickTouching (const Borders& borders, const Regions& regions)
 {
@@ -254,7 +265,7 @@ pickTouching (const Borders& borders, const Regions& regions)
         place_constants.min_share_of_border * borders.border_places[own];
     if (fits_along_contact && is_much_of_border &&
         both.fitting_places > most_fitting_places[own] &&
-        areOnePlane (regions.list[own], regions.list[other])) {
+        isPieceOf (regions.list[own], regions.list[other])) {
       most_fitting_places[own] = both.fitting_places;
       pick[own] = other;
     }
@@ -278,27 +289,30 @@ attractionOverGap (const Region& own,
   constexpr double max_noise_ratio = 1.5;
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
-  // Regions of exact points have no noise: allow a share of the width.
-  const double exact_thickness =
+  // Regions of exact points have no noise: allow this share of the width.
+  constexpr double allowed_thickness =
       place_constants.share_of_exact * place_constants.max_exact_thickness;
   const double reach =
       max_noises * std::min (std::max (own.noise, other.noise),
                              max_noise_ratio * std::min (own.noise, other.noise)) +
-      exact_thickness * own.width();
+      allowed_thickness * own.width();
   if (std::abs (other.fit.plane.distance (own.fit.centroid)) > reach)
     return 0.0;
-  const double apart = (own.fit.centroid - other.fit.centroid).norm();
-  if (apart > place_constants.max_gap * 0.5 * (own.length() + other.length()))
+  const double centroid_distance = (own.fit.centroid - other.fit.centroid).norm();
+  const double mean_length = 0.5 * (own.length() + other.length());
+  if (centroid_distance > place_constants.max_gap * mean_length)
     return 0.0;
-  // How much more variance the points of own have about the other plane than about
-  // their own.
+  // How much more variance the points of region own have about the plane of region
+  // other than about their own plane.
   const double added_variance =
       detail::meanSquaredDistance (own.moments, other.fit.plane) - own.fit.variances[0];
-  return added_variance > reach * reach ? 0.0 : other.moments.count / (apart * apart);
+  if (added_variance > reach * reach)
+    return 0.0;
+  return other.moments.count / (centroid_distance * centroid_distance);
 }
 
-// Picks for each region the larger one with the largest attraction; no_plane if none
-// has any.
+// Returns for each region the index of the region that it picks: the larger region with
+// the largest attraction, or no_plane if none has an attraction above 0.
 // \param[in] large indices of the regions to compare, the largest first
 Labels
 pickOverGaps (const std::vector<std::int32_t>& large,
@@ -309,11 +323,11 @@ pickOverGaps (const std::vector<std::int32_t>& large,
   const double max_noises =
       merging.noise_factor.value_or (place_constants.noises_of_join);
   Labels pick (regions.list.size(), no_plane);
-  for (std::size_t k = 1; k < large.size(); ++k) {
-    const std::int32_t own = large[k];
+  for (std::size_t own_rank = 1; own_rank < large.size(); ++own_rank) {
+    const std::int32_t own = large[own_rank];
     double largest_attraction = 0.0;
-    for (std::size_t l = 0; l < k; ++l) {
-      const std::int32_t other = large[l];
+    for (std::size_t rank = 0; rank < own_rank; ++rank) {
+      const std::int32_t other = large[rank];
       const double attraction = attractionOverGap (
           regions.list[own], regions.list[other], min_cosine, max_noises);
       if (attraction > largest_attraction) {
@@ -325,12 +339,12 @@ pickOverGaps (const std::vector<std::int32_t>& large,
   return pick;
 }
 
-// Returns the indices of the largest regions, by descending number of points.
+// Returns the indices of the 5000 largest regions, by descending number of points.
+// Regions that are too small for a join are left out.
 std::vector<std::int32_t>
 largeRegions (const Regions& regions)
 {
-  // Limits the time: all pairs of these regions are compared.
-  constexpr std::size_t max_regions = 5000;
+  constexpr std::size_t max_regions = 5000; // limits the time to compare all pairs
   std::vector<std::int32_t> large;
   for (std::size_t r = 0; r < regions.list.size(); ++r)
     if (regions.list[r].moments.count >= min_points_of_join)

@@ -15,18 +15,19 @@ namespace {
 
 /** \brief The likeliest region found so far for a place. */
 struct Likeliest {
+  /** \brief d^2 / s^2 + 2 ln s of \ref labelPlaces. */
   double cost = std::numeric_limits<double>::infinity();
-  std::int32_t region = no_plane;
+  std::int32_t region = no_plane; // its index
 };
 
-// Returns how far points of a region may be from its plane [m].
-// \param[in] noise of the plane around the point
+// Returns how far a place may be from the plane of its region [m].
+// \param[in] noise of the plane around the place [m]
 double
 reachOf (const Region& region, double noise)
 {
   // Joined parts tilt, as those of a cambered road, and lie beyond the noise of the
-  // region that took them: such a region reaches as far as its rms distance. If all
-  // regions did, hills would become thick planes.
+  // region that took them. So a region with parts reaches as far as its rms distance
+  // allows. If all regions did, hills would become thick planes.
   const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
   const double thickness =
       region.has_parts
@@ -39,6 +40,7 @@ reachOf (const Region& region, double noise)
 // Makes a region the likeliest one of a place if its plane is near enough and likelier
 // than the likeliest so far. In case of a tie the lower index wins.
 // \param[in] index of the region
+// \param[in] position,noise_of_place those of the place [m]
 void
 offer (const Region& region,
        std::int32_t index,
@@ -75,9 +77,9 @@ labelPlaces (const Places& places,
   Labels labels (places.size(), no_plane);
   forEach (threads, places.size(), [&] (std::size_t i) {
     Likeliest likeliest;
-    // Most neighbors are in the same region: it need not be offered again.
+    // Most neighbors are in one region, which need not be offered again.
     std::int32_t last_offered = no_plane;
-    const auto consider = [&] (std::int32_t region) {
+    const auto offerOnce = [&] (std::int32_t region) {
       if (region == no_plane || region == last_offered || is_plane[region] == 0)
         return;
       last_offered = region;
@@ -88,9 +90,9 @@ labelPlaces (const Places& places,
              distance_threshold,
              likeliest);
     };
-    consider (regions.of_place[i]);
-    for (std::size_t k = 0; k < places.neighbors; ++k)
-      consider (regions.of_place[places.nearestOf (i)[k]]);
+    offerOnce (regions.of_place[i]);
+    for (std::size_t k = 0; k < places.neighbors_per_place; ++k)
+      offerOnce (regions.of_place[places.nearestOf (i)[k]]);
     labels[i] = likeliest.region;
   });
   return labels;

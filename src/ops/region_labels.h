@@ -9,15 +9,15 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Assigns each place to its likeliest plane. Candidates are the planes whose
- * regions contain the place or one of its neighbors, if the place is near enough. The
+/** \brief Assigns each place to its likeliest plane. Candidates are the planes that are
+ * near enough and whose regions contain the place or one of its neighbors. The
  * likeliest plane has the smallest d^2 / s^2 + 2 ln s, where d is the distance of the
- * place to the plane and s the noise of the plane around the place: the scatter of the
- * region or the noise of the place, whichever is larger. Without the logarithm noisy
- * planes would take the points of clean ones.
+ * place to the plane and s the noise of the plane around the place [m]: the scatter of
+ * the region or the noise of the place, whichever is larger. Without the logarithm
+ * noisy planes would take the points of clean ones.
  * \param[in] is_plane for each region, whether it is a plane
- * \param[in] distance_threshold largest distance to the plane [m]; if not given, it
- * follows the noise
+ * \param[in] distance_threshold largest distance of a place to its plane [m]; if not
+ * given, it follows the noise
  * \return for each place the index of the region of its plane, or no_plane */
 Labels
 labelPlaces (const Places& places,

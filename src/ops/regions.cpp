@@ -13,7 +13,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// A region with fewer points keeps the plane of its seed.
+// A region with fewer points keeps the plane that it has.
 constexpr double min_points_of_fit = 6.0;
 
 /** \brief A flat place with its thickness, the scatter over the width. */
@@ -39,31 +39,34 @@ seedsOf (const ChosenSupports& chosen)
 }
 
 /** \brief Grows one region after the other, and reuses its memory. */
-class GrowingRegion {
+class RegionGrower {
 public:
-  GrowingRegion (const Places& places,
-                 const PlaceNoise& noise,
-                 const ChosenSupports& chosen,
-                 std::optional<double> distance_threshold)
+  RegionGrower (const Places& places,
+                const PlaceNoise& noise,
+                const ChosenSupports& chosen,
+                std::optional<double> distance_threshold)
   : places_ (places)
   , noise_ (noise)
   , chosen_ (chosen)
   , distance_threshold_ (distance_threshold)
   {}
 
-  /** \brief Grows a region from a seed over neighbors that are in no region yet, and
-   * labels its places with the index of the region. */
+  /** \brief Grows a region from a seed over neighbors that are in no region yet.
+   * \param[in] seed a place that is in no region yet
+   * \param[in] region index of the new region
+   * \param[in,out] region_of_place receives the index for each place of the region */
   Region
   grow (std::uint32_t seed, std::int32_t region, Labels& region_of_place)
   {
     start (seed);
     region_of_place[seed] = region;
+    // members_ grows during the loop.
     for (std::size_t next = 0; next < members_.size(); ++next) {
       const std::uint32_t* nearest = places_.nearestOf (members_[next]);
-      for (std::size_t k = 0; k < places_.neighbors; ++k)
+      for (std::size_t k = 0; k < places_.neighbors_per_place; ++k)
         if (region_of_place[nearest[k]] == no_plane && fits (nearest[k])) {
           region_of_place[nearest[k]] = region;
-          take (nearest[k]);
+          addAndRefit (nearest[k]);
         }
     }
     return finished();
@@ -85,6 +88,7 @@ private:
     region_.noise = noise_.of_place[seed];
   }
 
+  // Whether a place may belong to the region, by its normal and its distance.
   bool
   fits (std::uint32_t place) const
   {
@@ -108,13 +112,13 @@ private:
            place_constants.bend_of_width * width_;
   }
 
-  // Adds a place. Tries to refit the plane if the region has grown enough since the
-  // last try.
+  // Adds a place to the region. Tries to refit the plane if the region has grown enough
+  // since the last try.
   void
-  take (std::uint32_t place)
+  addAndRefit (std::uint32_t place)
   {
-    // If the middle variance is not more than this many times the smallest one, it is
-    // not clear enough along which axis the region is thin.
+    // The middle variance must be more than this many times the smallest one. Else it
+    // is not clear enough along which axis the region is thin.
     constexpr double min_ratio_of_variances = 4.0;
     add (place);
     const double points = region_.moments.count;
@@ -153,16 +157,17 @@ private:
     constexpr double half = 0.5;
     region_.noise = meanNoise();
     region_.scatter = quantileOf (scatter_of_members_, half);
-    // Kept if refit() finds too few points: the width of the seed, and length 0. So
-    // these variances do not ascend.
+    // If the points are too few for refit(), the region keeps this fit: with the width
+    // of the seed and length 0. Its variances do not ascend, unlike those of other
+    // fits.
     region_.fit.centroid = region_.moments.centroid();
     region_.fit.variances = {0.0, width_ * width_ / squared_width_of_variance, 0.0};
     region_.refit();
     return region_;
   }
 
-  // Fewer points have a plane that tilts with their noise. The count of the last try
-  // starts here, so that refit_growth allows the first refit at 13 points.
+  // The plane of fewer points would tilt because of their noise. points_at_last_try_
+  // starts with this number, so that refit_growth allows the first refit at 13 points.
   static constexpr double min_points_of_refit = 12.0;
   const double min_cosine_ = std::cos (place_constants.max_angle);
   const Places& places_;
@@ -172,10 +177,10 @@ private:
   Region region_;
   Indices members_;
   std::vector<float> scatter_of_members_;
-  double sum_of_log_noise_ = 0.0;   // natural logarithms
-  double rms_ = 0.0;                // of the last fit [m]
-  double width_ = 0.0;              // of the last fit, or of the seed before it [m]
-  double points_at_last_try_ = 0.0; // to refit the plane
+  double sum_of_log_noise_ = 0.0; // natural logarithms
+  double rms_ = 0.0;              // of the last fit [m]; 0 before the first one
+  double width_ = 0.0; // of the last fit, before the first one of the seed [m]
+  double points_at_last_try_ = 0.0; // number of points at the last try to refit
 };
 
 } // namespace
@@ -224,11 +229,11 @@ growRegions (const Places& places,
 {
   Regions regions;
   regions.of_place.assign (places.size(), no_plane);
-  GrowingRegion growing (places, noise, chosen, distance_threshold);
+  RegionGrower grower (places, noise, chosen, distance_threshold);
   for (const Seed& seed : seedsOf (chosen))
     if (regions.of_place[seed.place] == no_plane) {
       const auto region = static_cast<std::int32_t> (regions.list.size());
-      regions.list.push_back (growing.grow (seed.place, region, regions.of_place));
+      regions.list.push_back (grower.grow (seed.place, region, regions.of_place));
     }
   return regions;
 }

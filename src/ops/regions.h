@@ -14,6 +14,7 @@ namespace pcl_ops::internal {
 struct Region {
   /** \brief Moments of its places about the origin of the local frame. */
   Moments moments;
+  /** \brief Its plane. \ref take does not change it: see \ref refit. */
   PlaneFit fit;
   /** \brief Median scatter of the chosen supports of its places [m]. A join averages
    * the squared scatter of both regions, weighted by points. */
@@ -22,19 +23,20 @@ struct Region {
    * both regions, weighted by points. */
   double noise = 0.0;
   /** \brief Whether it took a region with more than PlaceConstants::min_share_of_part
-   * of its own points: a part, which may tilt against it. */
+   * times as many points as it had itself. Such a part may tilt against the rest. */
   bool has_parts = false;
 
-  /** \brief Extent along the shorter axis in the plane [m]. */
+  /** \brief Extent along the shorter axis in the plane [m]: the width of a uniform
+   * distribution with the variance of its points. */
   double
   width () const;
 
-  /** \brief Extent along the longer axis in the plane [m]. */
+  /** \brief The same along the longer axis in the plane [m]. */
   double
   length () const;
 
-  /** \brief Fits its plane to its points; keeps the old plane if they are too few or on
-   * a line. */
+  /** \brief Fits its plane to its points; keeps the old plane if these are fewer than
+   * six or on a line. */
   void
   refit ();
 
@@ -52,7 +54,8 @@ struct Regions {
 };
 
 /** \brief Grows regions over neighboring places, one region after the other. Seeds are
- * the flat places, the flattest first. A place goes into the first region it fits.
+ * the flat places, the flattest first. A place goes into the first region that it fits;
+ * places that fit none are in no region.
  * \param[in] distance_threshold largest distance of a place to the plane of its region
  * [m]; if not given, it follows the noise */
 Regions

@@ -24,9 +24,9 @@ valuesOfPoints (const std::vector<Value>& values_of_places,
   return values_of_points;
 }
 
-// Returns a value for each point of the input cloud: duplicates have that of the point
-// that represents them, points that were left out have \p unknown. Empty if there are
-// no values.
+// Returns a value for each point of the input cloud. Duplicates (Points::copies) get
+// the value of the point that represents them; points that the detector does not use
+// get unknown. Empty if there are no values.
 template <typename Value>
 std::vector<Value>
 valuesInCloud (const std::vector<Value>& values_of_points,

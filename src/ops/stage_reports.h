@@ -22,15 +22,15 @@ public:
   {}
 
   /** \brief Reports values of places.
-   * \param[in] is_flat for each place, reported as label 0 if flat, else no_plane;
-   * empty: no labels are reported */
+   * \param[in] is_flat for each place, whether its support is flat: reported as label 0
+   * if so, else as no_plane. If the list is empty, no labels are reported */
   void operator() (Stage stage,
                    const std::vector<float>& values,
                    const std::vector<char>& is_flat = {}) const;
 
   /** \brief Reports labels of places.
-   * \param[in] is_kept for each label, whether it is reported or replaced by no_plane;
-   * empty: all labels are reported */
+   * \param[in] is_kept for each label, whether it is reported; if not, no_plane is
+   * reported instead. If the list is empty, all labels are reported */
   void operator() (Stage stage,
                    const Labels& labels,
                    const std::vector<char>& is_kept = {}) const;
@@ -40,10 +40,11 @@ private:
   const Indices& place_of_point_;
 };
 
-/** \brief Returns an observer of results for \p points. It converts these to results
- * for all points of the input cloud and passes them to \p observer. The returned
- * observer is empty if \p observer is, and keeps references to \p observer and \p
- * points. */
+/** \brief Returns an observer of results that have a value for each of \p points. It
+ * converts them to results for all points of the input cloud, and passes these to \p
+ * observer. The returned observer is empty if \p observer is, and keeps references to
+ * \p observer and \p points.
+ * \param[in] size_of_cloud number of points of the input cloud */
 StageObserver
 observerOfPoints (const StageObserver& observer,
                   const Points& points,

@@ -8,16 +8,16 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Returns a quantile, 0 if there are no values.
+/** \brief Returns a quantile of values; 0 if there are none.
  * \param[in,out] values get reordered
  * \param[in] share of the values below the quantile, 0 to 1; 0.5: the median */
 float
 quantileOf (std::vector<float>& values, double share);
 
 /** \brief Sets CloudNoise::usual to the median noise, and usual_of_octave to that of
- * each octave of the density: octave n has the densities from 2^n to 2^(n + 1).
- * Adjacent octaves count, too, with half the weight. The median of an octave is at most
- * PlaceConstants::max_usual_over_cloud times that of the cloud.
+ * each octave of the density: octave n has the densities from 2^n on, below 2^(n + 1).
+ * Noise in the adjacent octaves counts, too, with half the weight. The median of an
+ * octave is at most PlaceConstants::max_usual_over_cloud times that of the cloud.
  * \param[in] density of each place whose noise is known [1/m^2]
  * \param[in] noise of the same places [m] */
 void
@@ -25,10 +25,9 @@ setUsualNoise (const std::vector<float>& density,
                const std::vector<float>& noise,
                CloudNoise& cloud);
 
-/** \brief Returns the median noise [m] of places of a density [1/m^2]. It interpolates
- * between the middles of octaves, so that a small change of the density changes the
- * noise little. Where both octaves are unknown it returns that of the cloud; 0 if no
- * noise is known. */
+/** \brief Returns the median noise [m] of places with a density [1/m^2]. It is
+ * interpolated between the middles of two octaves, so that a small change of the
+ * density changes it little. If neither octave has a value, it is CloudNoise::usual. */
 double
 usualNoise (const CloudNoise& cloud, double density);
 

@@ -43,6 +43,7 @@ struct BallDirections {
     }
   }
 
+  /** \brief Number of directions. */
   std::size_t
   size () const
   {
@@ -73,9 +74,9 @@ struct BallDirections {
   std::uint32_t
   at (int row, double theta) const
   {
-    const bool beyond_pole = row < 0 || row > phi_num;
-    const int reflected = row < 0 ? -row : beyond_pole ? 2 * phi_num - row : row;
-    const double turns = theta / (2.0 * pi) + (beyond_pole ? 0.5 : 0.0);
+    const bool is_beyond_pole = row < 0 || row > phi_num;
+    const int reflected = row < 0 ? -row : is_beyond_pole ? 2 * phi_num - row : row;
+    const double turns = theta / (2.0 * pi) + (is_beyond_pole ? 0.5 : 0.0);
     const double patch = std::floor (turns * patchesOfRow (reflected));
     return patchOfRow (reflected, static_cast<int> (patch));
   }
@@ -145,8 +146,10 @@ struct BallDirections {
   around (std::uint32_t direction) const
   {
     const std::array<std::uint32_t, 4> sides = beside (direction);
+    const std::uint32_t north = sides[0];
+    const std::uint32_t south = sides[1];
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t middle : {sides[0], direction, sides[1]}) {
+    for (const std::uint32_t middle : {north, direction, south}) {
       const int row = row_of[middle];
       const int patch = static_cast<int> (middle - row_begins[row]);
       for (const int offset : {-1, 0, 1})
@@ -158,8 +161,8 @@ struct BallDirections {
   }
 };
 
-/** \brief Bins of planes: direction of the normal, distance rho from the ball's center.
- */
+/** \brief The bins of planes: each has a direction of normals, and a range of distances
+ * rho from the center of the ball. */
 struct HoughSpace {
   BallDirections directions;
   /** \brief Number of bins of rho. */

@@ -15,7 +15,7 @@ extractPlanes (const Points& points,
                const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters)
 {
-  // A plane has more samples than min_samples (theta_N), so that 2 stands for three.
+  // A plane needs more samples than min_samples (theta_N): 2 makes it at least three.
   constexpr unsigned smallest_min_samples = 2;
   RansacParameters ransac = parameters;
   ransac.min_samples = std::max (smallest_min_samples, parameters.min_samples);
@@ -23,9 +23,9 @@ extractPlanes (const Points& points,
   const PaperParameters& paper = parameters.paper_only;
   const bool on_all_points =
       paper.verification == PaperParameters::Verification::AllPoints;
-  Coordinates points_left = on_all_points ? Coordinates (points) : Coordinates();
-  // Strategy 2 divides samples into groups. Strategy 1 has one group: with a right
-  // angle as tolerance all samples are horizontal.
+  Coordinates free_points = on_all_points ? Coordinates (points) : Coordinates();
+  // Strategy 2 divides samples into groups. Strategy 1 searches all samples at once:
+  // with a right angle as tolerance all of them are in the horizontal group.
   const bool divides = paper.strategy == PaperParameters::Strategy::DivideThenDetect;
   const double group_tolerance = divides ? parameters.angle_tolerance : right_angle;
   std::vector<Plane> planes;
@@ -33,7 +33,7 @@ extractPlanes (const Points& points,
            samples, parameters.up_axis.cast<double>().normalized(), group_tolerance)) {
     Candidates candidates{samples, std::move (group)};
     if (on_all_points)
-      candidates.points_left = &points_left;
+      candidates.free_points = &free_points;
     for (const ExtractedPlane& found : extractAll (candidates, ransac, generator))
       planes.push_back (found.plane);
   }

@@ -12,8 +12,8 @@ namespace pcl_ops::internal {
 
 /** \brief Finds planes in oriented samples by one-point RANSAC, one after the other
  * (the paper's Algorithm 1). Strategy 2 (DivideThenDetect) searches horizontal,
- * vertical and other samples apart.
- * \param[in] parameters distance_threshold is set
+ * vertical and other samples separately.
+ * \param[in] parameters with a distance_threshold
  * \param[in] points all finite points; only Verification::AllPoints uses them
  * \return the planes in the order they were found */
 std::vector<Plane>
@@ -25,8 +25,9 @@ extractPlanes (const Points& points,
  * normals from the nearest neighbors, extracts planes by \ref extractPlanes, assigns
  * all points to these unbounded planes, and merges the planes.
  * \param[in] input the cloud, and the user's neighbor search if one is set
- * \param[in] parameters distance_threshold is set
- * \param[in,out] durations the wall time of each stage is added [ms] */
+ * \param[in] points all finite points of the cloud
+ * \param[in] parameters with a distance_threshold
+ * \param[in,out] durations to which the wall time of each stage is added [ms] */
 LabelledPlanes
 detectAsInPaper (const DetectorInput& input,
                  const Points& points,

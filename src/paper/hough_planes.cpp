@@ -11,8 +11,8 @@
 namespace pcl_ops::internal {
 namespace {
 
-// The rms distance of a cluster to its plane is at most this share of theta_h.
-constexpr double largest_rms_share = 0.5;
+// Largest rms distance of a cluster to its plane, in units of theta_h.
+constexpr double largest_rms_by_theta_h = 0.5;
 
 // How many times a plane is fitted to the clusters near its previous fit.
 constexpr int fits_per_plane = 2;
@@ -35,7 +35,8 @@ momentsOfClusters (const Indices& clusters, const OctreeClusters& octree)
   return moments;
 }
 
-/** The free clusters whose rms distance to a plane is at most largest_rms [m]. */
+/** Returns the free clusters whose rms distance to a plane is at most largest_rms [m].
+ */
 Indices
 freeClustersNear (const Plane& plane,
                   double largest_rms,
@@ -54,9 +55,9 @@ freeClustersNear (const Plane& plane,
  * upper bound of the present weight, as planes only lose free clusters. */
 struct RankedPlane {
   double weight = 0.0;
-  std::size_t index = 0;
+  std::size_t index = 0; // in the list of planes
 
-  /** Of planes of equal weight the one with the lower index is the larger one. */
+  /** By weight; of planes of equal weight the one with the lower index ranks higher. */
   bool
   operator<(const RankedPlane& other) const
   {
@@ -113,9 +114,9 @@ clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree)
 {
   constexpr double edge_weight = 0.75;
   constexpr double count_weight = 0.25;
-  const double count_share =
+  const double share_of_points =
       static_cast<double> (cluster.size()) / static_cast<double> (octree.points.size());
-  return edge_weight * cluster.edge / octree.root.edge + count_weight * count_share;
+  return edge_weight * cluster.edge / octree.root.edge + count_weight * share_of_points;
 }
 
 std::vector<HoughPlane>
@@ -170,6 +171,7 @@ refitPlanes (const std::vector<HoughPlane>& planes,
       if (is_free[cluster])
         clusters.push_back (cluster);
     const double weight = weightOfClusters (clusters, octree);
+    // Other planes have taken clusters since this plane was ranked.
     const bool is_outdated = weight < next.weight;
     if (is_outdated) {
       ranks.push ({weight, next.index});
@@ -179,7 +181,7 @@ refitPlanes (const std::vector<HoughPlane>& planes,
         takeClusters (std::move (clusters),
                       octree,
                       min_count,
-                      largest_rms_share * distance_threshold,
+                      largest_rms_by_theta_h * distance_threshold,
                       is_free);
     if (plane)
       refitted.push_back (std::move (*plane));

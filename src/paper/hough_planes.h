@@ -13,12 +13,13 @@ namespace pcl_ops::internal {
 /** \brief A plane and the clusters that voted for it. */
 struct HoughPlane {
   Plane plane;
-  /** \brief Indices of its clusters, ascending. */
+  /** \brief Indices of its clusters in OctreeClusters::clusters, ascending. */
   std::vector<std::uint32_t> clusters;
 };
 
-/** \brief The weight of a cluster's votes: 0.75 times the edge of its node over the
- * edge of the root, plus 0.25 times its share of all points. */
+/** \brief Returns the weight of a cluster's votes, 0 to 1: 0.75 times the edge of its
+ * node over the edge of the root, plus 0.25 times the share of all points that it has.
+ */
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree);
 

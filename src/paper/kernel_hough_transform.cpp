@@ -11,13 +11,14 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace pcl_ops {
 
 namespace internal {
 namespace {
 
-// About so many voxels a cloud is divided into; they tell where a plane ends.
+// A cloud is divided into about so many voxels, which tell where planes end.
 constexpr double wanted_voxels = 9000.0;
 
 /** Bounds planes by the voxels of their clusters. Each voxel goes to the plane of the
@@ -85,11 +86,11 @@ restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
     fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
 }
 
-/** Assigns points to unbounded planes, \ref assignPoints, and merges the planes, \ref
- * mergePlanes. In octree order the blocks of points are small, so that most planes are
- * too far from a block and are skipped. */
+/** Assigns points to unbounded planes (\ref assignPoints), and merges the planes (\ref
+ * mergePlanes). Points are assigned in the order of the octree, in which the blocks of
+ * \ref assignPoints are small: most planes are too far from a block and are skipped. */
 LabelledPlanes
-assignToUnboundedPlanes (const Points& points,
+assignAndMergeUnbounded (const Points& points,
                          const OctreeClusters& found,
                          const std::vector<HoughPlane>& hough_planes,
                          const KernelHoughTransformParameters& parameters,
@@ -118,15 +119,14 @@ assignToUnboundedPlanes (const Points& points,
   return merged;
 }
 
-/** Assigns points to bounded planes: each plane has the voxels of its clusters and
- * those it grows into. Planes are merged on these voxels first; then \ref
- * assignToBoundedPlanes assigns the points. */
+/** Merges planes that are bounded by voxels: those of their clusters, and those that
+ * they grow into. Then assigns points to them (\ref assignToBoundedPlanes). */
 LabelledPlanes
-assignToOutlinedPlanes (const Points& points,
-                        const OctreeClusters& found,
-                        const std::vector<HoughPlane>& hough_planes,
-                        const KernelHoughTransformParameters& parameters,
-                        StageDurations& durations)
+mergeAndAssignBounded (const Points& points,
+                       const OctreeClusters& found,
+                       const std::vector<HoughPlane>& hough_planes,
+                       const KernelHoughTransformParameters& parameters,
+                       StageDurations& durations)
 {
   if (hough_planes.empty())
     return {Labels (points.size(), no_plane), {}, 0};
@@ -141,13 +141,14 @@ assignToOutlinedPlanes (const Points& points,
   growAndMergeOnVoxels (grid, parameters, planes);
   clock.lap (durations.merging);
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  const std::vector<char> no_voxel_is_left_out;
   assignToBoundedPlanes (points,
                          grid,
                          planes,
                          parameters.distance_threshold,
                          assignment_noise_factor,
                          parameters.threads,
-                         {},
+                         no_voxel_is_left_out,
                          assigned);
   MergingParameters keep_apart;
   keep_apart.enabled = false;
@@ -178,8 +179,8 @@ detectByVotes (const Points& points,
   // assigns points to planes; merges planes by the coplanarity test of the OPS paper
   LabelledPlanes found =
       parameters.refit.enabled
-          ? assignToOutlinedPlanes (points, clusters, planes, parameters, durations)
-          : assignToUnboundedPlanes (points, clusters, planes, parameters, durations);
+          ? mergeAndAssignBounded (points, clusters, planes, parameters, durations)
+          : assignAndMergeUnbounded (points, clusters, planes, parameters, durations);
   found.planes_before_merging = planes.size();
   return found;
 }

@@ -9,7 +9,8 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Votes end at two standard deviations; squared Mahalanobis distance.
+// Votes end at two standard deviations: largest squared Mahalanobis distance from the
+// mean of the kernel.
 constexpr double largest_squared_deviation = 4.0;
 
 // Votes go no farther than this from the row of the mean [rows], from the likeliest
@@ -25,8 +26,8 @@ constexpr double max_bins = 32.0;
 // away.
 constexpr int max_patches = 1 << 30;
 
-// Lower bound of px^2 + py^2 and of rho^2 [m^2], see \ref planeKernel: the Jacobian
-// stays finite at the poles and for planes through the center.
+// Lower bound, in planeKernel, of px^2 + py^2 and of rho^2 [m^2], where p = rho normal:
+// so the Jacobian stays finite at the poles and for planes through the center.
 constexpr double smallest_squared_radius = 1e-5;
 
 // Added to the variance of rho [m^2], so that kernels of exact planes have a width.
@@ -85,8 +86,9 @@ public:
            inverse_theta_theta_ * offset.theta * offset.theta;
   }
 
+  /** Offset from the mean theta of the likeliest theta of a row [rad]. */
   double
-  likeliestTheta (double phi_offset) const
+  likeliestThetaOffset (double phi_offset) const
   {
     return -inverse_phi_theta_ / inverse_theta_theta_ * phi_offset;
   }
@@ -99,6 +101,7 @@ public:
     return std::sqrt (squared_deviation / inverse_theta_theta_);
   }
 
+  /** Likeliest rho of a direction [m]. */
   double
   likeliestRho (const Offset& offset) const
   {
@@ -119,7 +122,7 @@ private:
   double inverse_phi_phi_ = 0.0;
   double inverse_phi_theta_ = 0.0;
   double inverse_theta_theta_ = 0.0;
-  // Slopes of the likeliest rho over phi and theta.
+  // Slopes of the likeliest rho over phi and theta [m/rad].
   double rho_per_phi_ = 0.0;
   double rho_per_theta_ = 0.0;
 };
@@ -134,11 +137,12 @@ public:
   , ratio_change_ (std::exp (-space.rho_step * space.rho_step / density.rho_variance))
   {}
 
+  /** Casts the votes of all rows near the mean, and that of the bin of the mean. */
   void
   castAll ()
   {
     const double step = space_.directions.phi_step;
-    const double reach =
+    const double reach = // on either side of the mean [rad]
         std::min (std::sqrt (largest_squared_deviation) * density_.phi_deviation,
                   max_directions * step);
     const int phi_num = space_.directions.phi_num;
@@ -170,16 +174,17 @@ private:
     if (is_beyond_pole)
       has_wrapped_ = true;
     const int reflected = reflectedRow (row);
-    const double theta_offset = density_.likeliestTheta (phi_offset);
+    const double theta_offset = density_.likeliestThetaOffset (phi_offset);
     const int patches = directions.patchesOfRow (reflected);
     if (patches == 1) { // All azimuths meet at a pole.
       castRay (directions.patchOfRow (reflected, 0), {phi_offset, theta_offset});
       return;
     }
 
-    const double start = density_.mean_theta + (is_beyond_pole ? pi : 0.0);
+    // Azimuth of the mean, counted on the side of the pole where the row is.
+    const double mean_theta = density_.mean_theta + (is_beyond_pole ? pi : 0.0);
     const double step = 2.0 * pi / patches;
-    const double middle_patch = (start + theta_offset) / step - 0.5;
+    const double middle_patch = (mean_theta + theta_offset) / step - 0.5;
     const double reach = std::min ({density_.thetaReach (squared_deviation_left) / step,
                                     0.5 * patches,
                                     max_directions});
@@ -191,7 +196,7 @@ private:
         first + patches - 1);
     for (int patch = first; patch <= last; ++patch)
       castRay (directions.patchOfRow (reflected, patch),
-               {phi_offset, (patch + 0.5) * step - start});
+               {phi_offset, (patch + 0.5) * step - mean_theta});
   }
 
   /** The row on the other side of the pole for a row beyond it; else the row itself. */
@@ -241,8 +246,8 @@ private:
     }
   }
 
-  /** Adds a ray of the densities at offset, offset + step, .. from the likeliest rho.
-   * The ratio of neighboring densities changes by a constant factor, so that no
+  /** Adds a ray of the densities at offset, offset + step, .. from the likeliest rho
+   * [m]. The ratio of neighboring densities changes by a constant factor, so that no
    * exponential is computed per bin.
    * \param[in] begin, end range of bins, [begin, end)
    * \param[in] height density at the likeliest rho */
@@ -279,7 +284,7 @@ private:
     Offset offset;
     offset.phi = directions.phiOf (direction) - density_.mean_phi;
     if (directions.patchesOfRow (row) == 1)
-      offset.theta = density_.likeliestTheta (offset.phi);
+      offset.theta = density_.likeliestThetaOffset (offset.phi);
     else
       offset.theta = std::remainder (
           directions.thetaOf (direction) - density_.mean_theta, 2.0 * pi);

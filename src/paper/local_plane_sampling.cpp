@@ -43,7 +43,8 @@ struct FixedRadiusSearch {
     points = selected (positions, *grid.order);
   }
 
-  /** \param[out] sphere the points within the radius
+  /** \brief Finds the points within the radius of a point, as a \ref SphereFinder.
+   * \param[out] sphere indices of the points within the radius
    * \return how many points were examined */
   std::size_t
   find (std::uint32_t point, Indices& sphere) const
@@ -58,10 +59,11 @@ struct FixedRadiusSearch {
     std::size_t found = 0;
     std::size_t examined = 0;
     for (const std::uint32_t neighbor : neighbors_of_voxel[own_voxel]) {
-      const std::uint32_t* const voxel = &voxel_begin[neighbor];
-      examined += voxel[1] - voxel[0];
-      sphere.resize (found + (voxel[1] - voxel[0]));
-      for (std::uint32_t i = voxel[0]; i < voxel[1]; ++i) {
+      const std::uint32_t begin = voxel_begin[neighbor];
+      const std::uint32_t end = voxel_begin[neighbor + 1];
+      examined += end - begin;
+      sphere.resize (found + (end - begin));
+      for (std::uint32_t i = begin; i < end; ++i) {
         const float dx = points.x[i] - x;
         const float dy = points.y[i] - y;
         const float dz = points.z[i] - z;
@@ -80,16 +82,17 @@ struct FixedRadiusSearch {
 constexpr int max_draws = 1000;
 
 std::uint32_t
-drawFrom (const Indices& positions, RandomGenerator& generator)
+drawFrom (const Indices& indices, RandomGenerator& generator)
 {
-  const auto size = static_cast<std::uint32_t> (positions.size());
-  return positions[drawBelow (generator, size)];
+  const auto size = static_cast<std::uint32_t> (indices.size());
+  return indices[drawBelow (generator, size)];
 }
 
+/** Draws hypotheses in spheres and tests them. */
 struct PlaneSampler {
   const Coordinates& points;
   const LocalSamplingParameters& parameters;
-  float threshold;
+  float threshold; // theta_h [m]
   RandomGenerator generator;
 
   /** Moments of the inliers of a hypothesis, if it passes the local test: more than
@@ -106,10 +109,11 @@ struct PlaneSampler {
     const double needed = parameters.min_inlier_fraction * parameters.local_samples;
     Indices samples;
     unsigned inliers = 0;
-    for (unsigned to_come = parameters.local_samples; to_come > 0;) {
+    for (unsigned to_draw = parameters.local_samples; to_draw > 0;) {
       samples.push_back (drawFrom (sphere, generator));
-      inliers += is_inlier (samples.back());
-      if (inliers + --to_come <= needed)
+      inliers += is_inlier (samples.back()) ? 1 : 0;
+      --to_draw;
+      if (inliers + to_draw <= needed)
         return std::nullopt;
       if (inliers > needed && counts_sphere)
         break;
@@ -149,26 +153,28 @@ spheresAround (const DetectorInput& input,
                unsigned threads)
 {
   if (input.search_over && points.size() > 0) {
+    // For each point of the cloud its index in points; none for points that are not
+    // used.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    Indices position_of (input.cloud.size, none);
+    Indices index_in_points (input.cloud.size, none);
     for (std::size_t i = 0; i < points.size(); ++i)
-      position_of[points.indexOf (i)] = static_cast<std::uint32_t> (i);
-    return {points,
-            [&points,
-             radius,
-             search = input.search_over (points.index),
-             position_of = std::move (position_of)] (std::uint32_t center,
-                                                     Indices& sphere) {
-              pcl::Indices neighbors;
-              std::vector<float> squared_distances;
-              search.within (
-                  points.indexOf (center), radius, neighbors, squared_distances);
-              sphere.clear();
-              for (const pcl::index_t neighbor : neighbors)
-                if (const auto position = position_of[neighbor]; position != none)
-                  sphere.push_back (position);
-              return sphere.size();
-            }};
+      index_in_points[points.indexOf (i)] = static_cast<std::uint32_t> (i);
+    return {
+        points,
+        [&points,
+         radius,
+         search = input.search_over (points.index),
+         index_in_points = std::move (index_in_points)] (std::uint32_t center,
+                                                         Indices& sphere) {
+          pcl::Indices neighbors;
+          std::vector<float> squared_distances;
+          search.within (points.indexOf (center), radius, neighbors, squared_distances);
+          sphere.clear();
+          for (const pcl::index_t neighbor : neighbors)
+            if (const std::uint32_t index = index_in_points[neighbor]; index != none)
+              sphere.push_back (index);
+          return sphere.size();
+        }};
   }
   const auto search =
       std::make_shared<const FixedRadiusSearch> (points, radius, threads);

@@ -15,10 +15,10 @@ namespace pcl_ops::internal {
 
 using LocalSamplingParameters = FastSamplingPlaneFilteringParameters::Local;
 
-/** \brief Finds the points within r2 of the point \p center, itself included: indices
- * into \ref Spheres::points, as \p center is. \p sphere is overwritten, in any order.
- * \return how many points were examined: far more than \p sphere holds where a nearly
- * empty sphere lies close to many points */
+/** \brief A function that finds the points within r2 of the point \p center, itself
+ * included. It overwrites \p sphere with their indices, in any order. All indices are
+ * those of \ref Spheres::points. It returns how many points were examined: far more
+ * than \p sphere has where a nearly empty sphere lies close to many points. */
 using SphereFinder = std::function<std::size_t (std::uint32_t center, Indices& sphere)>;
 
 /** \brief Points in the order of a search, and the function that finds the sphere

@@ -36,10 +36,10 @@ struct Range {
   double low = 0.0, high = 0.0;
 };
 
-/** The range of the values without the 2 percent at either end, which may be outliers.
- * At most 10,000 of the values, evenly spread, are used. */
+/** Returns the range of the values without the 2 percent at either end, which may be
+ * outliers. At most 10,000 of the values, evenly spread, are used. */
 Range
-middleOf (const std::vector<float>& values)
+rangeWithoutStrays (const std::vector<float>& values)
 {
   constexpr std::size_t largest_sample = 10000;
   constexpr double stray_share = 0.02;
@@ -57,14 +57,14 @@ middleOf (const std::vector<float>& values)
   return {lowest, *high};
 }
 
-/** The box of the points that are not outliers: the ranges of \ref middleOf, extended
- * at both ends by the width of the widest range. */
+/** Returns the box of the points that are not outliers: the ranges of \ref
+ * rangeWithoutStrays, extended at both ends by the width of the widest range. */
 Eigen::AlignedBox3d
-fenceOf (const Coordinates& points)
+boxWithoutOutliers (const Coordinates& points)
 {
-  const Range x = middleOf (points.x);
-  const Range y = middleOf (points.y);
-  const Range z = middleOf (points.z);
+  const Range x = rangeWithoutStrays (points.x);
+  const Range y = rangeWithoutStrays (points.y);
+  const Range z = rangeWithoutStrays (points.z);
   const Eigen::Vector3d low (x.low, y.low, z.low);
   const Eigen::Vector3d high (x.high, y.high, z.high);
   const double spread = (high - low).maxCoeff();
@@ -74,8 +74,9 @@ fenceOf (const Coordinates& points)
           high + Eigen::Vector3d::Constant (width)};
 }
 
-/** A range of points in a cube. */
+/** A node of the octree: a cube and the points in it. */
 struct OctreeNode {
+  /** Its points: the range [begin, end) of OctreeClusters::points. */
   std::uint32_t begin = 0, end = 0;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   /** Length of its edge [m]. */
@@ -106,25 +107,25 @@ sortIntoCubes (const OctreeNode& node,
                PointAt&& pointAt,
                OctreePoint* sorted)
 {
-  const int cubes = 1 << levels;
-  const auto scale = static_cast<float> (cubes / node.edge);
-  const auto half = 0.5f * static_cast<float> (cubes);
-  const auto last = static_cast<float> (cubes - 1);
+  const int cubes_per_axis = 1 << levels;
+  const auto scale = static_cast<float> (cubes_per_axis / node.edge); // [cubes/m]
+  const auto half = 0.5f * static_cast<float> (cubes_per_axis);
+  const auto last = static_cast<float> (cubes_per_axis - 1);
   const Eigen::Vector3f center = node.center.cast<float>();
-  const auto bits = [=] (float value, float middle) {
+  const auto bits_of_cube = [=] (float coordinate, float center_of_node) {
     // A point in the middle of a cube so small that scale is infinite gives NaN, which
     // std::max in this argument order turns into 0.
     const float cube =
-        std::min (last, std::max (0.0f, (value - middle) * scale + half));
+        std::min (last, std::max (0.0f, (coordinate - center_of_node) * scale + half));
     return spreadBits (static_cast<std::uint32_t> (cube));
   };
   std::vector<std::uint16_t> codes (node.size());
   Indices begins ((std::size_t (1) << (3 * levels)) + 1, 0);
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const OctreePoint p = pointAt (i);
-    codes[i] = static_cast<std::uint16_t> (bits (p.x, center.x()) |
-                                           bits (p.y, center.y()) << 1 |
-                                           bits (p.z, center.z()) << 2);
+    codes[i] = static_cast<std::uint16_t> (bits_of_cube (p.x, center.x()) |
+                                           bits_of_cube (p.y, center.y()) << 1 |
+                                           bits_of_cube (p.z, center.z()) << 2);
     ++begins[codes[i] + std::size_t (1)];
   }
   begins[0] = node.begin;
@@ -165,6 +166,7 @@ struct Descent {
             code};
   }
 
+  /** Adds the cluster of a node, or those of the nodes below it. */
   void
   descend (const OctreeNode& node)
   {
@@ -285,12 +287,13 @@ rootCubeOf (const Coordinates& points)
   RootCube root;
   if (points.size() == 0)
     return root;
-  const Eigen::AlignedBox3d fence = fenceOf (points);
+  const Eigen::AlignedBox3d box_without_outliers = boxWithoutOutliers (points);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::AlignedBox3d box;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (const Eigen::Vector3d point = points[i]; fence.contains (point)) {
+    if (const Eigen::Vector3d point = points[i];
+        box_without_outliers.contains (point)) {
       sum += point;
       box.extend (point);
       ++count;
@@ -320,7 +323,7 @@ findCoplanarClusters (const Coordinates& points,
   const int start_level = std::clamp (parameters.first_level, 0, max_start_level);
   const std::size_t start_nodes = std::size_t (1) << (3 * start_level);
   constexpr std::size_t nodes_per_chunk = 1;
-  const auto clusters_of_nodes = parallelChunks (
+  const auto clusters_of_nodes = parallelPieces (
       threads, start_nodes, nodes_per_chunk, [&] (std::size_t code, std::size_t) {
         Descent descent{result.root, begins, parameters, result.points};
         descent.descend (descent.sortedNode (start_level, code));

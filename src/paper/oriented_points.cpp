@@ -18,16 +18,17 @@ Indices
 drawSample (std::size_t size, double rate, std::uint32_t seed)
 {
   const double drawn_share = std::min (1.0, std::max (0.0, rate));
-  auto wanted = static_cast<std::size_t> (
+  auto still_to_draw = static_cast<std::size_t> (
       std::llround (drawn_share * static_cast<double> (size)));
   RandomGenerator generator (seed);
   Indices sample;
-  sample.reserve (wanted);
-  // Each point is drawn with the probability wanted / (points from it to the end).
-  for (std::size_t i = 0; wanted > 0; ++i)
-    if (drawBelow (generator, static_cast<std::uint32_t> (size - i)) < wanted) {
+  sample.reserve (still_to_draw);
+  // Each point is drawn with the probability
+  // still_to_draw / (number of points from this one to the last).
+  for (std::size_t i = 0; still_to_draw > 0; ++i)
+    if (drawBelow (generator, static_cast<std::uint32_t> (size - i)) < still_to_draw) {
       sample.push_back (static_cast<std::uint32_t> (i));
-      --wanted;
+      --still_to_draw;
     }
   return sample;
 }
@@ -50,10 +51,10 @@ weightedScatter (const CloudView& cloud,
                  const std::vector<float>& squared_distances,
                  std::optional<double> given_sigma)
 {
-  float farthest = 0.0f;
+  float largest_squared_distance = 0.0f;
   for (const float squared_distance : squared_distances)
-    farthest = std::max (farthest, squared_distance);
-  const double sigma = given_sigma.value_or (std::sqrt (farthest));
+    largest_squared_distance = std::max (largest_squared_distance, squared_distance);
+  const double sigma = given_sigma.value_or (std::sqrt (largest_squared_distance));
   const Eigen::Vector3d position = positionIn (cloud, sample);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const pcl::index_t neighbor : neighbors) {
@@ -85,7 +86,8 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads)
     query.sorted = false;
     tree->find (query, neighbors, squared_distances);
   };
-  return {nearest, {}, threads};
+  const auto no_search_within_radius = nullptr;
+  return {nearest, no_search_within_radius, threads};
 }
 
 Eigen::Vector3d

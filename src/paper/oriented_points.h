@@ -35,20 +35,20 @@ struct OrientedSamples : Coordinates {
 Indices
 drawSample (std::size_t size, double rate, std::uint32_t seed);
 
-/** \brief The user's neighbor search over the finite points; if none is set, the
- * library's own, a \ref BoxTree.
+/** \brief Returns the user's neighbor search over the finite points; if none is set,
+ * the library's own, a \ref BoxTree, which has no search within a radius.
  * \param[in] input must outlive the search
  * \param[in] threads that may query the library's own search at once; 0: all */
 NeighborSearch
 searchOver (const DetectorInput& input, const Points& points, unsigned threads);
 
-/** \brief The weighted normal of each sample: the eigenvector of the smallest
+/** \brief Returns the weighted normal of each sample: the eigenvector of the smallest
  * eigenvalue of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij -
  * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbors (paper, equation of section
  * III-A). Neighbors at distance 0 are skipped.
  * \param[in] sigma of the weight [m]; not given: the distance to the farthest neighbor
  * \return position and normal of each sample, in order. A sample without two
- * neighbors at other places, or with all neighbors on one line through it, has no
+ * neighbors at other positions, or with all neighbors on one line through it, has no
  * normal and is left out */
 OrientedSamples
 orientSamples (const CloudView& cloud,
@@ -58,7 +58,7 @@ orientSamples (const CloudView& cloud,
                int k,
                std::optional<double> sigma);
 
-/** \brief The eigenvector of the smallest eigenvalue of a scatter matrix.
+/** \brief Returns the eigenvector of the smallest eigenvalue of a scatter matrix.
  * \return a unit vector; zero if the second eigenvalue is at most 1e-6 of the largest,
  * as it is for points on one line */
 Eigen::Vector3d

@@ -16,10 +16,10 @@ namespace pcl_ops::internal {
 namespace {
 
 bool
-isWithin (const Coordinates& points,
-          std::size_t i,
-          const Plane& plane,
-          double distance_threshold)
+isNearPlane (const Coordinates& points,
+             std::size_t i,
+             const Plane& plane,
+             double distance_threshold)
 {
   return std::abs (plane.distance (points[i])) < distance_threshold;
 }
@@ -29,7 +29,7 @@ pointsOffPlane (const Coordinates& points, const Plane& plane, double threshold)
 {
   Coordinates off_plane;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (!isWithin (points, i, plane, threshold))
+    if (!isNearPlane (points, i, plane, threshold))
       off_plane.add (points.x[i], points.y[i], points.z[i]);
   return off_plane;
 }
@@ -43,19 +43,21 @@ fitTo (const Coordinates& points, const Indices& inliers)
   return fitPlane (moments);
 }
 
+// Removes the inliers of a plane from the free samples, and the points near it from the
+// free points.
 void
 removeTaken (const ExtractedPlane& found, double threshold, Candidates& candidates)
 {
-  Indices untaken;
-  std::set_difference (candidates.samples_left.begin(),
-                       candidates.samples_left.end(),
+  Indices still_free;
+  std::set_difference (candidates.free_samples.begin(),
+                       candidates.free_samples.end(),
                        found.inliers.begin(),
                        found.inliers.end(),
-                       std::back_inserter (untaken));
-  candidates.samples_left = std::move (untaken);
-  if (candidates.points_left)
-    *candidates.points_left =
-        pointsOffPlane (*candidates.points_left, found.plane, threshold);
+                       std::back_inserter (still_free));
+  candidates.free_samples = std::move (still_free);
+  if (candidates.free_points)
+    *candidates.free_points =
+        pointsOffPlane (*candidates.free_points, found.plane, threshold);
 }
 
 } // namespace
@@ -66,10 +68,10 @@ requiredDraws (double probability, double inlier_ratio)
   if (!(inlier_ratio < 1.0))
     return 1;
   const double draws = std::log1p (-probability) / std::log1p (-inlier_ratio);
-  constexpr auto most_draws =
+  constexpr auto max_draws =
       static_cast<double> (std::numeric_limits<std::int32_t>::max());
-  const bool is_in_range = draws > 0.0 && draws < most_draws;
-  return static_cast<std::size_t> (is_in_range ? std::ceil (draws) : most_draws);
+  const bool is_in_range = draws > 0.0 && draws < max_draws;
+  return static_cast<std::size_t> (is_in_range ? std::ceil (draws) : max_draws);
 }
 
 std::size_t
@@ -94,7 +96,7 @@ selectWithinDistance (const Coordinates& points,
 {
   Indices inliers;
   for (const std::uint32_t i : candidates)
-    if (isWithin (points, i, plane, distance_threshold))
+    if (isNearPlane (points, i, plane, distance_threshold))
       inliers.push_back (i);
   return inliers;
 }
@@ -104,30 +106,30 @@ onePointRansac (const Candidates& candidates,
                 const RansacParameters& parameters,
                 RandomGenerator& generator)
 {
-  const auto& [samples, samples_left, points_left] = candidates;
-  if (samples_left.size() <= parameters.min_samples)
+  const auto& [samples, free_samples, free_points] = candidates;
+  if (free_samples.size() <= parameters.min_samples)
     return std::nullopt;
   const auto draws_for = [&] (std::size_t inliers, std::size_t among) {
     return requiredDraws (parameters.paper_only.probability,
                           static_cast<double> (inliers) / static_cast<double> (among));
   };
-  const Coordinates samples_left_positions = selected (samples, samples_left);
-  const Coordinates& voters = points_left ? *points_left : samples_left_positions;
+  const Coordinates positions_of_free_samples = selected (samples, free_samples);
+  const Coordinates& voters = free_points ? *free_points : positions_of_free_samples;
   std::optional<Plane> best;
   // Planes of theta_N samples or fewer do not count: N_iter starts with the draws for
   // theta_N inliers, which ends the search where there is no plane.
   std::size_t most_votes = parameters.min_samples;
-  std::size_t n_iter = draws_for (most_votes, samples_left.size());
+  std::size_t n_iter = draws_for (most_votes, free_samples.size());
   for (std::size_t iter = 0; iter < n_iter; ++iter) {
-    const std::uint32_t drawn = samples_left[drawBelow (
-        generator, static_cast<std::uint32_t> (samples_left.size()))];
+    const std::uint32_t drawn = free_samples[drawBelow (
+        generator, static_cast<std::uint32_t> (free_samples.size()))];
     const Plane hypothesis = planeThrough (samples[drawn], samples.normals[drawn]);
     const double theta_h = *parameters.distance_threshold;
     const std::size_t votes = countWithinDistance (voters, hypothesis, theta_h);
     if (votes <= most_votes)
       continue;
     const Indices inliers =
-        selectWithinDistance (samples, samples_left, hypothesis, theta_h);
+        selectWithinDistance (samples, free_samples, hypothesis, theta_h);
     if (inliers.size() <= parameters.min_samples)
       continue;
     best = hypothesis;
@@ -148,7 +150,7 @@ largestPlane (const Candidates& candidates,
     return std::nullopt;
   const auto select = [&] (const Plane& plane) {
     return selectWithinDistance (candidates.samples,
-                                 candidates.samples_left,
+                                 candidates.free_samples,
                                  plane,
                                  *parameters.distance_threshold);
   };

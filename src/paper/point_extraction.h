@@ -12,7 +12,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The parameters of Sampling::Points; distance_threshold (theta_h) is set. */
+/** \brief The parameters of Sampling::Points, with a distance_threshold (theta_h). */
 using RansacParameters = OrientedPointSamplingParameters;
 
 /** \brief N_iter = log (1 - p) / log (1 - w), rounded up: after so many draws of one
@@ -22,21 +22,22 @@ using RansacParameters = OrientedPointSamplingParameters;
 std::size_t
 requiredDraws (double probability, double inlier_ratio);
 
-/** \brief The samples and points that no plane has taken yet. */
+/** \brief The samples and points that are free: that no plane has taken yet. */
 struct Candidates {
-  const OrientedSamples& samples;
-  /** \brief Indices of the samples that no plane has taken yet, ascending. */
-  Indices samples_left;
-  /** \brief All points that no plane has taken yet, if hypotheses are counted on them
-   * ("using all points for verification"; Verification::AllPoints); nullptr if they are
-   * counted on the samples. */
-  Coordinates* points_left = nullptr;
+  const OrientedSamples& samples; // all samples
+  /** \brief Indices of the free samples, ascending. */
+  Indices free_samples;
+  /** \brief The free ones of all points, if inliers of hypotheses are counted among
+   * them
+   * ("using all points for verification"; Verification::AllPoints); nullptr if inliers
+   * are counted among the free samples. */
+  Coordinates* free_points = nullptr;
 };
 
 /** \brief One-point RANSAC on sampled points (paper section III-A, Algorithm 1, lines 7
  * to 24): each draw takes the plane of one sample as hypothesis. The number of draws
  * N_iter follows the best inlier ratio so far. theta_N always counts samples, even if
- * hypotheses are counted on all points.
+ * inliers of hypotheses are counted among all points.
  * \return the hypothesis with the most inliers; nothing if no hypothesis has more than
  * theta_N samples as inliers */
 std::optional<Plane>
@@ -44,7 +45,7 @@ onePointRansac (const Candidates& candidates,
                 const RansacParameters& parameters,
                 RandomGenerator& generator);
 
-/** \brief A plane with the indices of the samples on it. */
+/** \brief A plane with the ascending indices of the samples on it. */
 struct ExtractedPlane {
   Plane plane;
   Indices inliers;
@@ -62,7 +63,7 @@ largestPlane (const Candidates& candidates,
 
 /** \brief Finds the largest plane, removes its inliers and repeats until no plane is
  * found (paper, "Detection of Multiple Planes").
- * \param[in,out] candidates the inliers of the planes are removed, and from points_left
+ * \param[in,out] candidates the inliers of the planes are removed, and from free_points
  * the points nearer to a plane than theta_h
  * \return the planes in the order they were found; their inliers are disjoint */
 std::vector<ExtractedPlane>
@@ -70,14 +71,16 @@ extractAll (Candidates& candidates,
             const RansacParameters& parameters,
             RandomGenerator& generator);
 
-/** \brief How many points are nearer to a plane than \p distance_threshold [m]. RANSAC
- * spends its time in this loop: single precision lets the compiler vectorize it. */
+/** \brief Returns how many points are nearer to a plane than \p distance_threshold [m].
+ * RANSAC spends its time in this loop, which the compiler vectorizes because it is in
+ * single precision. */
 std::size_t
 countWithinDistance (const Coordinates& points,
                      const Plane& plane,
                      double distance_threshold);
 
-/** \brief The candidates that are nearer to a plane than \p distance_threshold [m].
+/** \brief Returns the candidates that are nearer to a plane than \p distance_threshold
+ * [m].
  * \param[in] candidates indices of points; their order is kept */
 Indices
 selectWithinDistance (const Coordinates& points,

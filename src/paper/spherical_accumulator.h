@@ -198,6 +198,7 @@ struct SphericalAccumulator {
   }
 
 private:
+  /** \brief Returns the votes smoothed as \ref peaks says. */
   BallColumns
   smoothedVotes () const
   {
@@ -229,6 +230,9 @@ private:
     return smoothed;
   }
 
+  /** \brief Returns the voters for the 3 x 3 x 3 bins around a bin; ascending, each
+   * once.
+   */
   std::vector<std::uint32_t>
   votersAround (std::uint32_t direction, int bin) const
   {
@@ -248,11 +252,12 @@ private:
     return voters;
   }
 
+  /** \brief A voter and its range of bins of one direction, [begin, end). */
   struct VoterRange {
     std::uint32_t voter;
     int begin, end;
   };
-  /** \brief For each direction the voters and their ranges of bins, [begin, end). */
+  /** \brief The voters for each direction. */
   std::vector<std::vector<VoterRange>> voters_{space.directions.size()};
 };
 

@@ -7,7 +7,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief An interval on a line, from its first to its last coordinate along it [m]. */
+/** \brief An interval on a line, from its smallest to its largest coordinate along the
+ * line [m]. */
 struct Interval {
   double from, to;
 
@@ -21,9 +22,10 @@ struct Interval {
 /** \brief Disjoint intervals on one line, in ascending order. */
 using Intervals = std::vector<Interval>;
 
-/** \brief Joins points on a line into intervals, across gaps up to \p max_gap [m]
- * between neighbors. A single point makes an interval of length 0.
- * \param[in] coordinates of the points along the line [m], in any order */
+/** \brief Joins points on a line into intervals.
+ * \param[in] coordinates of the points along the line [m], in any order
+ * \param[in] max_gap largest distance between successive points of one interval [m]
+ * \return intervals that begin and end at points; of length 0 around a single point */
 inline Intervals
 intervalsOf (std::vector<double> coordinates, double max_gap)
 {

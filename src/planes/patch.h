@@ -17,9 +17,10 @@ namespace pcl_ops::internal {
 /** \brief The bounded part of a plane: a rectangle with the moments of its inliers. */
 struct Patch {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  /** \brief Columns: unit vectors along the rectangle, across it, and its normal. */
+  /** \brief Columns, a right-handed frame: unit vectors along the longer and the
+   * shorter sides of the rectangle, and its normal, the one of the segment. */
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  /** \brief Half the length (along) and half the width (across) [m]. */
+  /** \brief Half the length, along, and half the width, across [m]. */
   Eigen::Vector2d half_sides = Eigen::Vector2d::Zero();
   /** \brief Mean squared distance of the points to the plane [m^2]. */
   double mean_squared_distance = 0.0;
@@ -36,7 +37,8 @@ struct Patch {
   }
 };
 
-/** \brief Returns the rectangle that has the moments of a plane.
+/** \brief Returns the rectangle over which evenly spread points have the mean and the
+ * variances of the points of a plane.
  * \return nothing for fewer than three points, or if all are equal or on one line */
 inline std::optional<Patch>
 patchOf (const PlaneSegment& plane)
@@ -55,8 +57,8 @@ patchOf (const PlaneSegment& plane)
   const Eigen::Vector2d across (-along.y(), along.x());
   Patch patch;
   // A tracked plane has moments of several frames, but the centroid of the last frame.
-  const Eigen::Vector3d middle = plane.moments.centroid();
-  patch.center = middle - plane.normal.dot (middle - plane.centroid) * plane.normal;
+  const Eigen::Vector3d mean = plane.moments.centroid();
+  patch.center = mean - plane.normal.dot (mean - plane.centroid) * plane.normal;
   patch.axes << in_plane * along, in_plane * across, plane.normal;
   // Points spread evenly over a side of length 2 h have the variance h^2 / 3.
   patch.half_sides = {std::sqrt (std::max (0.0, 3.0 * along.dot (spread * along))),
@@ -66,7 +68,7 @@ patchOf (const PlaneSegment& plane)
   return patch;
 }
 
-/** \brief The patch moved by a rigid motion, say into another frame. */
+/** \brief The patch moved by a rigid motion, for instance into another frame. */
 inline Patch
 moved (const Eigen::Isometry3d& motion, Patch patch)
 {
@@ -79,14 +81,14 @@ moved (const Eigen::Isometry3d& motion, Patch patch)
 inline PlaneSegment
 moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
 {
-  const Eigen::Matrix3d turn = motion.linear();
+  const Eigen::Matrix3d rotation = motion.linear();
   const Moments& moments = plane.moments;
   return {motion * plane.centroid,
-          turn * plane.normal,
+          rotation * plane.normal,
           plane.orientation,
           Moments::of (moments.count,
                        motion * moments.centroid(),
-                       turn * moments.covariance() * turn.transpose()),
+                       rotation * moments.covariance() * rotation.transpose()),
           {},
           plane.noise};
 }
@@ -103,8 +105,8 @@ cornersOf (const Patch& patch)
           patch.center + along - across};
 }
 
-/** \brief Clips a convex polygon to the half-plane sign * point[axis] <= bound
- * (Sutherland & Hodgman, "Reentrant polygon clipping", 1974). */
+/** \brief Returns the part of a convex polygon in the half-plane sign * point[axis] <=
+ * bound (Sutherland & Hodgman, "Reentrant polygon clipping", 1974). */
 inline std::vector<Eigen::Vector2d>
 clipped (const std::vector<Eigen::Vector2d>& polygon,
          Eigen::Index axis,
@@ -115,18 +117,19 @@ clipped (const std::vector<Eigen::Vector2d>& polygon,
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2d& from = polygon[i];
     const Eigen::Vector2d& to = polygon[(i + 1) % polygon.size()];
-    const double start = bound - sign * from[axis];
-    const double end = bound - sign * to[axis];
-    if (start >= 0.0)
+    // Distances of both corners from the bound; positive inside.
+    const double from_depth = bound - sign * from[axis];
+    const double to_depth = bound - sign * to[axis];
+    if (from_depth >= 0.0)
       inside.push_back (from);
-    if ((start >= 0.0) != (end >= 0.0))
-      inside.push_back (from + start / (start - end) * (to - from));
+    if ((from_depth >= 0.0) != (to_depth >= 0.0))
+      inside.push_back (from + from_depth / (from_depth - to_depth) * (to - from));
   }
   return inside;
 }
 
-/** \brief Area of the intersection of the first rectangle with the second, projected
- * onto the plane of the first [m^2]. */
+/** \brief Area of the intersection of the first rectangle with the projection of the
+ * second onto the plane of the first [m^2]. */
 inline double
 commonArea (const Patch& first, const Patch& second)
 {

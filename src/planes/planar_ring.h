@@ -17,8 +17,8 @@ BOOST_GEOMETRY_REGISTER_POINT_2D (Eigen::Vector2d, double, cs::cartesian, x(), y
 
 namespace pcl_ops::internal {
 
-/** \brief A polygon for Boost.Geometry, in the same order as our outlines:
- * counter-clockwise, the first corner not repeated. */
+/** \brief A polygon for Boost.Geometry, with its corners in the same order as in
+ * outlines of PlaneExtent: counter-clockwise, the first corner not repeated. */
 using Ring = boost::geometry::model::ring<Eigen::Vector2d, false, false>;
 
 /** \brief Returns the points without those with a NaN or infinite coordinate. */
@@ -33,9 +33,10 @@ finiteOf (const PlanarPoints& points)
 }
 
 /** \brief Returns the factor that scales points for the predicates of Boost.Geometry: 1
- * if the largest coordinate is 0 or from 1 to 10^6, else the power of two that scales
- * it to between 1 and 2. For coordinates below 1 the predicates have an absolute
- * tolerance; above 10^6 they fail for points over many decades. */
+ * if the largest absolute coordinate is 0 or from 1 to 10^6, else the power of two that
+ * scales it to between 1 and 2. The predicates have an absolute tolerance, too large
+ * for coordinates below 1. For larger coordinates than 10^6 they fail if these differ
+ * by many orders of magnitude. */
 inline double
 unitScale (const PlanarPoints& points)
 {
@@ -43,8 +44,8 @@ unitScale (const PlanarPoints& points)
   for (const Eigen::Vector2d& point : points)
     if (point.allFinite())
       largest = std::max (largest, point.lpNorm<Eigen::Infinity>());
-  constexpr double farthest = 1e6;
-  const bool is_usual = largest == 0.0 || (largest >= 1.0 && largest <= farthest);
+  constexpr double max_unscaled = 1e6;
+  const bool is_usual = largest == 0.0 || (largest >= 1.0 && largest <= max_unscaled);
   return is_usual ? 1.0 : std::ldexp (1.0, -std::ilogb (largest));
 }
 

@@ -22,17 +22,17 @@ namespace {
 using namespace internal;
 using Eigen::Vector3d;
 
-/** \brief Intersections of two ascending lists, \p min_length [m] long or longer. */
+/** \brief Returns the intersections of the intervals of two ascending lists that are \p
+ * min_length [m] long or longer, and longer than 0. */
 Intervals
-inCommon (const Intervals& first, const Intervals& second, double min_length)
+intersectionsOf (const Intervals& first, const Intervals& second, double min_length)
 {
   Intervals common;
   auto a = first.begin();
   auto b = second.begin();
   while (a != first.end() && b != second.end()) {
     const Interval both{std::max (a->from, b->from), std::min (a->to, b->to)};
-    const double length = both.to - both.from;
-    if (length >= min_length && length > 0.0)
+    if (both.length() >= min_length && both.length() > 0.0)
       common.push_back (both);
     if (a->to < b->to)
       ++a;
@@ -44,20 +44,25 @@ inCommon (const Intervals& first, const Intervals& second, double min_length)
 
 using Line = Eigen::ParametrizedLine<double, 3>;
 
-/** \brief Two planes whose intersection line has points of both beside it. */
+/** \brief Two planes that meet: points of both lie near their intersection line. */
 struct Meeting {
+  /** \brief Indices of the planes, the lower one first. */
   std::size_t first, second;
+  /** \brief The intersection line, with a unit direction. */
   Line line;
   /** \brief Angle between the planes, 0 to pi/2 [rad]. */
   double angle;
-  /** \brief Longest gap that is bridged, also from an end to a corner [m]. */
+  /** \brief Largest gap between points of one interval, and from the end of an interval
+   * to a corner that it is extended to [m]. */
   double max_gap;
+  /** \brief Where points of both planes are near the line. */
   Intervals intervals;
 };
 
 /** \brief A plane with its inliers projected onto it, their noise and their spacing. */
-struct Body {
+struct ProjectedPlane {
   PlaneFrame frame;
+  /** \brief The inliers, with coordinates in the plane [m]. */
   PlanarPoints points;
   /** \brief Bounding box of the finite points. */
   Eigen::AlignedBox2d box;
@@ -67,52 +72,58 @@ struct Body {
   double spacing;
 };
 
-// \param[in] shift origin of the cloud's frame in the frame of the plane
-std::optional<Body>
-bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift)
+// Returns nothing if the inliers span no plane.
+// \param[in] shift origin of the cloud's frame in the frame of the plane [m]
+std::optional<ProjectedPlane>
+projectedPlaneOf (const CloudView& cloud,
+                  const PlaneSegment& plane,
+                  const Vector3d& shift)
 {
   const std::optional<PlaneFit> fit = fitPlane (plane.moments);
   if (!fit)
     return {};
   const PlaneFrame in_cloud (plane.centroid - shift, plane.normal);
-  // Area of a rectangle with these variances: a side is sqrt (12 variance) long.
+  // Area of a rectangle of evenly spread points with these variances: a side is
+  // sqrt (12 variance) long.
   const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
-  Body body{PlaneFrame (plane.centroid, plane.normal),
-            pointsOnPlane (cloud, plane, in_cloud),
-            {},
-            std::sqrt (std::max (0.0, fit->variances[0])),
-            std::sqrt (area / plane.moments.count)};
-  for (const Eigen::Vector2d& point : body.points)
+  ProjectedPlane projected{PlaneFrame (plane.centroid, plane.normal),
+                           pointsOnPlane (cloud, plane, in_cloud),
+                           {},
+                           std::sqrt (std::max (0.0, fit->variances[0])),
+                           std::sqrt (area / plane.moments.count)};
+  for (const Eigen::Vector2d& point : projected.points)
     if (point.allFinite())
-      body.box.extend (point);
-  return body;
+      projected.box.extend (point);
+  return projected;
 }
 
-/** \brief How near to their line two planes need points [m]. Points within three
- * standard deviations of both planes may be inliers of either, so that one of the
- * planes may have no points nearer to the line. */
+/** \brief How near to their intersection line two planes must have points [m]. A point
+ * within three standard deviations of both planes may be an inlier of either plane, so
+ * that one of the planes may have no points nearer to the line.
+ * \param[in] sine of the angle between the planes */
 double
-reachOf (const Body& first, const Body& second, double sine)
+reachOf (const ProjectedPlane& first, const ProjectedPlane& second, double sine)
 {
-  constexpr double deviations = 3.0;
-  constexpr double spacings = 4.0;
+  constexpr double deviations = 3.0; // standard deviations of the points of both planes
+  constexpr double spacings = 4.0;   // of the plane with the larger spacing
   return deviations * std::hypot (first.rms, second.rms) / sine +
          spacings * std::max (first.spacing, second.spacing);
 }
 
-/** \brief Whether the bounding spheres of the points are at most 2 \p reach apart. */
+/** \brief Whether the bounding spheres of the points of two planes are at most 2 \p
+ * reach apart [m]. */
 bool
-areNear (const Body& first, const Body& second, double reach)
+areNear (const ProjectedPlane& first, const ProjectedPlane& second, double reach)
 {
-  const double apart = (first.frame.toSpace (first.box.center()) -
-                        second.frame.toSpace (second.box.center()))
-                           .norm();
+  const double center_distance = (first.frame.toSpace (first.box.center()) -
+                                  second.frame.toSpace (second.box.center()))
+                                     .norm();
   const double diameters = first.box.diagonal().norm() + second.box.diagonal().norm();
-  return apart <= 0.5 * diameters + 2.0 * reach;
+  return center_distance <= 0.5 * diameters + 2.0 * reach;
 }
 
-/** \brief Signed distance of a point to a plane [m], exact far from zero: it does not
- * use the offset of the plane, which is not exact there. */
+/** \brief Signed distance of a point to a plane [m]. It is exact for planes far from
+ * zero, too: it does not use the offset of the plane, which is not exact there. */
 double
 signedDistance (const Vector3d& point, const PlaneSegment& plane)
 {
@@ -130,7 +141,8 @@ meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_s
   const Vector3d middle = 0.5 * (first.centroid + second.centroid);
   if (!(sine >= min_sine && sine > 0.0) || !middle.allFinite())
     return {};
-  // [1 c; c 1] [a b]^T = -[d1 d2]^T with c = n1 . n2 and distances d of the middle
+  // middle + a n1 + b n2 lies on both planes: with their normals n1 and n2, c = n1 . n2
+  // and the distances d1 and d2 of the middle, a + c b = -d1 and c a + b = -d2.
   const double c = first.normal.dot (second.normal);
   const double d1 = signedDistance (middle, first);
   const double d2 = signedDistance (middle, second);
@@ -139,36 +151,40 @@ meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_s
   return Line{middle + a * first.normal + b * second.normal, along / sine};
 }
 
-/** \brief Coordinates along a line of those points that are within \p reach of it. */
+/** \brief Coordinates along a line of those points of a plane that are within \p reach
+ * of the line [m].
+ * \param[in] line in the plane, with a unit direction */
 std::vector<double>
-coordinatesBeside (const Body& body, const Line& line, double reach)
+coordinatesBeside (const ProjectedPlane& plane, const Line& line, double reach)
 {
-  const Eigen::Vector2d origin = body.frame.toPlane (line.origin());
-  const Eigen::Vector2d along = body.frame.toPlane (line.pointAt (1.0)) - origin;
-  const double radius = 0.5 * body.box.diagonal().norm();
-  if (std::abs (cross (along, body.box.center() - origin)) > radius + reach)
+  const Eigen::Vector2d origin = plane.frame.toPlane (line.origin());
+  const Eigen::Vector2d along = plane.frame.toPlane (line.pointAt (1.0)) - origin;
+  const double radius = 0.5 * plane.box.diagonal().norm();
+  if (std::abs (cross (along, plane.box.center() - origin)) > radius + reach)
     return {};
   std::vector<double> coordinates;
-  for (const Eigen::Vector2d& point : body.points)
+  for (const Eigen::Vector2d& point : plane.points)
     if (std::abs (cross (along, point - origin)) <= reach)
       coordinates.push_back (along.dot (point - origin));
   return coordinates;
 }
 
-/** \brief Returns how two planes meet; nothing if they do not. */
+/** \brief Returns how two planes meet; nothing if they do not.
+ * \param[in] first,second indices of the planes, first < second */
 std::optional<Meeting>
 meetingOf (const std::vector<PlaneSegment>& planes,
-           const std::vector<std::optional<Body>>& bodies,
+           const std::vector<std::optional<ProjectedPlane>>& projected_planes,
            std::size_t first,
            std::size_t second,
            const PlaneEdgeParameters& parameters)
 {
+  // Defaults of the largest gap and of the smallest length, in units of the reach.
   constexpr double reaches_of_gap = 2.0;
   constexpr double reaches_of_length = 3.0;
-  if (!bodies[first] || !bodies[second])
+  if (!projected_planes[first] || !projected_planes[second])
     return {};
-  const Body& one = *bodies[first];
-  const Body& other = *bodies[second];
+  const ProjectedPlane& one = *projected_planes[first];
+  const ProjectedPlane& other = *projected_planes[second];
   const double angle = angleBetween (planes[first], planes[second]);
   const double reach =
       parameters.reach.value_or (reachOf (one, other, std::sin (angle)));
@@ -180,15 +196,17 @@ meetingOf (const std::vector<PlaneSegment>& planes,
     return {};
   const double max_gap = parameters.max_gap.value_or (reaches_of_gap * reach);
   const double min_length = parameters.min_length.value_or (reaches_of_length * reach);
-  // The smaller plane first: if it has no points there, the larger is not searched.
+  // Begin with the smaller plane: if it has no points near the line, the larger one
+  // need not be searched.
   const bool is_first_smaller = one.points.size() < other.points.size();
-  const Body& smaller = is_first_smaller ? one : other;
-  const Body& larger = is_first_smaller ? other : one;
+  const ProjectedPlane& smaller = is_first_smaller ? one : other;
+  const ProjectedPlane& larger = is_first_smaller ? other : one;
   Intervals common = intervalsOf (coordinatesBeside (smaller, *line, reach), max_gap);
   if (!common.empty())
-    common = inCommon (common,
-                       intervalsOf (coordinatesBeside (larger, *line, reach), max_gap),
-                       min_length);
+    common = intersectionsOf (
+        common,
+        intervalsOf (coordinatesBeside (larger, *line, reach), max_gap),
+        min_length);
   if (common.empty())
     return {};
   return Meeting{first, second, *line, angle, max_gap, std::move (common)};
@@ -206,7 +224,8 @@ meetingPoint (const PlaneSegment& first,
   Eigen::Matrix3d normals;
   normals << first.normal.transpose(), second.normal.transpose(),
       third.normal.transpose();
-  const double volume = std::abs (normals.determinant());
+  const double volume =
+      std::abs (normals.determinant()); // of the normals' parallelepiped
   for (const int i : {0, 1, 2}) {
     const Vector3d along = normals.row (i).cross (normals.row ((i + 1) % 3));
     if (!(volume >= min_sine * along.norm()))
@@ -233,8 +252,9 @@ comesTo (const Meeting& meeting, const Vector3d& point)
   return false;
 }
 
-/** \brief The intersection points of three planes each, if the meetings of each two of
- * them come to the point (\ref comesTo); in ascending order of the planes.
+/** \brief The corners: the intersection points of three planes, if all three meetings
+ * of two of them come to the point (\ref comesTo). They are in ascending order of the
+ * planes.
  * \param[in] meetings sorted by their first plane, then by their second */
 std::vector<PlaneCorner>
 cornersOf (const std::vector<Meeting>& meetings,
@@ -264,8 +284,9 @@ cornersOf (const std::vector<Meeting>& meetings,
   return corners;
 }
 
-/** \brief The corner of both planes of a meeting that is nearest to an end, if it is no
- * farther from the end than Meeting::max_gap; else the end itself. */
+/** \brief Of the corners that lie on both planes of a meeting, the one nearest to the
+ * end of an interval, if it is no farther from the end than Meeting::max_gap; else the
+ * end. */
 Vector3d
 movedToCorner (const Vector3d& end,
                const Meeting& meeting,
@@ -274,11 +295,12 @@ movedToCorner (const Vector3d& end,
   Vector3d nearest = end;
   double least_distance = meeting.max_gap;
   for (const PlaneCorner& corner : corners) {
-    const auto has = [&] (std::size_t plane) {
+    const auto liesOn = [&] (std::size_t plane) {
       return std::count (corner.planes.begin(), corner.planes.end(), plane) > 0;
     };
     const double distance = (corner.position - end).norm();
-    if (distance <= least_distance && has (meeting.first) && has (meeting.second)) {
+    if (distance <= least_distance && liesOn (meeting.first) &&
+        liesOn (meeting.second)) {
       least_distance = distance;
       nearest = corner.position;
     }
@@ -286,9 +308,9 @@ movedToCorner (const Vector3d& end,
   return nearest;
 }
 
-/** \brief Makes an edge of an interval. Both ends move to the corners near them if the
- * edge keeps a length above 0. Else only the end nearer to its corner moves, if the
- * edge keeps a length then. */
+/** \brief Makes an edge of an interval. Both ends move to the corners near them, if the
+ * edge then has a length above 0 in the direction of the line. Else only the end that
+ * is nearer to its corner moves, if the edge has such a length then. */
 PlaneEdge
 edgeOf (const Interval& interval,
         const Meeting& meeting,
@@ -343,14 +365,15 @@ findPlaneEdges (const CloudView& cloud,
   detail::throwOn (validate (parameters));
   for (const PlaneSegment& plane : planes)
     checkInliers (cloud, plane);
-  std::vector<std::optional<Body>> bodies;
+  std::vector<std::optional<ProjectedPlane>> projected_planes;
   for (const PlaneSegment& plane : planes)
-    bodies.push_back (bodyOf (cloud, plane, shift));
+    projected_planes.push_back (projectedPlaneOf (cloud, plane, shift));
   // Sorted by their first plane, then by their second.
   std::vector<Meeting> meetings;
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = i + 1; j < planes.size(); ++j)
-      if (std::optional<Meeting> meeting = meetingOf (planes, bodies, i, j, parameters))
+      if (std::optional<Meeting> meeting =
+              meetingOf (planes, projected_planes, i, j, parameters))
         meetings.push_back (std::move (*meeting));
   PlaneEdges found;
   found.corners = cornersOf (meetings, planes, std::sin (parameters.min_angle));

@@ -15,9 +15,10 @@ namespace pcl_ops {
 using namespace internal;
 namespace {
 
-constexpr std::size_t corners_of_an_area = 3;
+constexpr std::size_t min_corners_of_area = 3;
 
-/** \brief Depth of each point inside a convex hull [m]; negative outside. */
+/** \brief Returns for each point how deep it lies in a convex hull: its distance to the
+ * nearest edge line [m], negative outside. */
 std::vector<double>
 depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
 {
@@ -32,15 +33,15 @@ depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
   return depths;
 }
 
-/** \brief Removes the points whose depth is at most \p depth, and returns them.
+/** \brief Removes the points whose depth is at most \p max_depth [m], and returns them.
  * \param[in] depths of the points, by \ref depthsWithin */
 PlanarPoints
-splitOff (PlanarPoints& points, const std::vector<double>& depths, double depth)
+splitOff (PlanarPoints& points, const std::vector<double>& depths, double max_depth)
 {
   PlanarPoints removed;
   PlanarPoints kept;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (depths[i] <= depth)
+    if (depths[i] <= max_depth)
       removed.push_back (points[i]);
     else
       kept.push_back (points[i]);
@@ -48,11 +49,12 @@ splitOff (PlanarPoints& points, const std::vector<double>& depths, double depth)
   return removed;
 }
 
-/** \brief Largest depth that rounding gives corners, whose depth is 0 [m]. */
+/** \brief Largest depth that \ref depthsWithin finds for the corners of a hull [m]:
+ * their depth is 0, but for rounding. */
 double
 depthOfCorners (const PlanarPoints& hull)
 {
-  constexpr double rounding = 1e-12; // several thousand times that of a double
+  constexpr double rounding = 1e-12; // several thousand times the precision of a double
   double largest = 0.0;
   for (const Eigen::Vector2d& corner : hull)
     largest = std::max (largest, corner.lpNorm<Eigen::Infinity>());
@@ -64,7 +66,7 @@ depthOfCorners (const PlanarPoints& hull)
 PlanarPoints
 hullOfAll (const PlanarPoints& points)
 {
-  if (points.size() < corners_of_an_area)
+  if (points.size() < min_corners_of_area)
     return {};
   const double scale = unitScale (points);
   boost::geometry::model::multi_point<Eigen::Vector2d> cloud;
@@ -74,61 +76,65 @@ hullOfAll (const PlanarPoints& points)
   Ring ring;
   boost::geometry::convex_hull (cloud, ring);
   PlanarPoints hull;
-  double longest = 0.0;
+  double longest = 0.0; // from the first corner to another one
   for (const Eigen::Vector2d& corner : ring) {
     hull.push_back (corner / scale);
     longest = std::max (longest, (hull.back() - hull.front()).norm());
   }
-  // Rounding of the inputs (single precision) alone can give a line this much width.
-  constexpr double smallest_width = 1e-5;
-  if (hull.size() < corners_of_an_area ||
-      !(areaOf (hull) > smallest_width * longest * longest))
+  // Width over length: rounding of coordinates to single precision can give a line this
+  // much width.
+  constexpr double min_width_over_length = 1e-5;
+  if (hull.size() < min_corners_of_area ||
+      !(areaOf (hull) > min_width_over_length * longest * longest))
     return {};
   return hull;
 }
 
-/** \brief A convex hull around all but a few per cent of the points, from a random
+/** \brief A convex hull around all but a few percent of the points, from a random
  * sample; empty for up to 2048 points, which are too few for a sample. */
 PlanarPoints
 innerHull (const PlanarPoints& points)
 {
   constexpr std::size_t sample_size = 2048;
-  constexpr std::size_t one_outside_in = 32; // one of 32 points of the sample
+  constexpr std::size_t min_outside = sample_size / 32; // of the sampled points
   if (points.size() <= sample_size)
     return {};
-  RandomGenerator generator; // default seed: users give none
+  RandomGenerator generator; // with its default seed: the result is always the same
   PlanarPoints sample;
   for (std::size_t i = 0; i < sample_size; ++i)
     sample.push_back (
         points[drawBelow (generator, static_cast<std::uint32_t> (points.size()))]);
   PlanarPoints hull = hullOfAll (sample);
-  // Removes corners of the hull until enough of the sample lies outside it.
-  while (!hull.empty() && sample.size() > sample_size - sample_size / one_outside_in) {
+  // Remove corners of the hull until enough of the sample lies outside it.
+  while (!hull.empty() && sample.size() > sample_size - min_outside) {
     splitOff (sample, depthsWithin (hull, sample), depthOfCorners (hull));
     hull = hullOfAll (sample);
   }
   return hull;
 }
 
-/** \brief Removes the outermost points: the corners of the hull around all, and the
- * points nearest to its border.
- * \param[in] min_removed how many points to remove at least, if there are as many; 1 or
- * more
+/** \brief Removes the outermost points: the corners of the hull, and the points nearest
+ * to its edges.
+ * \param[in] hull the convex hull around all points
+ * \param[in] min_removed how many points to remove at least, 1 or more; all points if
+ * there are fewer
  * \return how many points were removed */
 std::size_t
-takeOffLayer (PlanarPoints& points, const PlanarPoints& hull, std::size_t min_removed)
+removeLayer (PlanarPoints& points, const PlanarPoints& hull, std::size_t min_removed)
 {
   if (points.empty())
     return 0;
   const std::vector<double> depths = depthsWithin (hull, points);
-  std::vector<double> ordered = depths;
-  const auto last = ordered.begin() + std::min (min_removed, ordered.size()) - 1;
-  std::nth_element (ordered.begin(), last, ordered.end());
-  return splitOff (points, depths, std::max (*last, depthOfCorners (hull))).size();
+  std::vector<double> ordered_depths = depths;
+  const auto last_removed =
+      ordered_depths.begin() + std::min (min_removed, ordered_depths.size()) - 1;
+  std::nth_element (ordered_depths.begin(), last_removed, ordered_depths.end());
+  const double max_depth = std::max (*last_removed, depthOfCorners (hull));
+  return splitOff (points, depths, max_depth).size();
 }
 
-/** \brief A rectangle: a box in the frame of the unit vector u and the axis to its
- * left. */
+/** \brief A rectangle: a box with coordinates along the unit vector u and along \ref
+ * left, u turned by 90 degrees counter-clockwise. */
 struct Rectangle {
   Eigen::Vector2d u = Eigen::Vector2d::UnitX();
   Eigen::AlignedBox2d box{Eigen::Vector2d::Zero()};
@@ -156,19 +162,20 @@ rectangleAlong (const Eigen::Vector2d& u, const PlanarPoints& points)
   return rectangle;
 }
 
-/** \brief The minimum-area bounding rectangle of a convex hull. */
+/** \brief Of all bounding rectangles of a convex hull, the one with the smallest area.
+ */
 Rectangle
 smallestRectangle (const PlanarPoints& hull)
 {
-  // A side of this rectangle lies along an edge of the hull.
+  // A side of the smallest rectangle lies along an edge of the hull.
   Rectangle smallest;
-  double least = std::numeric_limits<double>::infinity();
+  double least_area = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Eigen::Vector2d edge = hull[(i + 1) % hull.size()] - hull[i];
     const Rectangle rectangle = rectangleAlong (edge.normalized(), hull);
     const double area = rectangle.box.volume();
-    if (area < least) {
-      least = area;
+    if (area < least_area) {
+      least_area = area;
       smallest = rectangle;
     }
   }
@@ -181,7 +188,7 @@ rectangleAlongLine (const PlanarPoints& points)
 {
   if (points.empty())
     return {};
-  // Direction of the line, from two points that are far apart.
+  // The line runs along two points that are far apart.
   const auto farthestFrom = [&] (const Eigen::Vector2d& from) {
     return *std::max_element (
         points.begin(), points.end(), [&] (const auto& first, const auto& second) {
@@ -206,37 +213,38 @@ PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& no
 PlanarPoints
 convexHull (const PlanarPoints& points, double max_outside)
 {
-  // Noise blurs the edge of a surface: there the density is half of that inside.
+  // Noise blurs the edge of a surface: points per area at the edge are half of those
+  // inside. A layer with fewer points per area has stray points.
   constexpr double edge_density = 0.5;
-  // Number of layers that use up the points allowed outside: each layer has enough
-  // points to measure a density.
+  // The outermost points are removed layer by layer. The points that may be outside
+  // fill this many layers, so that each layer has enough points to measure its density.
   constexpr std::size_t layers = 16;
   PlanarPoints rim = finiteOf (points); // the points that may still be corners
-  const auto all = static_cast<double> (rim.size());
-  const auto max_points_outside = static_cast<std::size_t> (max_outside * all);
-  // Points inside the inner hull stay, and are not looked at again.
+  const auto all_points = static_cast<double> (rim.size());
+  const auto max_points_outside = static_cast<std::size_t> (max_outside * all_points);
+  // Points inside the inner hull stay inside, and are not looked at again.
   const PlanarPoints inner_hull = innerHull (rim);
   if (!inner_hull.empty())
     rim = splitOff (rim, depthsWithin (inner_hull, rim), 0.0);
-  const auto hull_of_rest = [&] {
+  const auto hullOfRest = [&] {
     PlanarPoints rest = rim;
     rest.insert (rest.end(), inner_hull.begin(), inner_hull.end());
     return hullOfAll (rest);
   };
-  PlanarPoints hull = hull_of_rest();
+  PlanarPoints hull = hullOfRest();
   for (std::size_t outside = 0; !hull.empty();) {
     const std::size_t layer_points =
-        takeOffLayer (rim, hull, max_points_outside / layers + 1);
+        removeLayer (rim, hull, max_points_outside / layers + 1);
     outside += layer_points;
     if (outside > max_points_outside)
       break;
-    const PlanarPoints next_hull = hull_of_rest();
+    const PlanarPoints next_hull = hullOfRest();
     const double area = areaOf (next_hull);
     const double layer_area = areaOf (hull) - area;
     // The density of the layer is layer_points / layer_area, that of all points
-    // all / area.
-    const bool is_sparse =
-        static_cast<double> (layer_points) * area < edge_density * all * layer_area;
+    // all_points / area.
+    const bool is_sparse = static_cast<double> (layer_points) * area <
+                           edge_density * all_points * layer_area;
     if (next_hull.empty() || !is_sparse)
       break;
     hull = next_hull;
@@ -252,15 +260,16 @@ extentOf (const PlanarRings& rings, const PlanarPoints& points, const PlaneFrame
   const Rectangle rectangle =
       hull.empty() ? rectangleAlongLine (finiteOf (points)) : smallestRectangle (hull);
   const Eigen::Vector2d sides = rectangle.box.sizes();
-  const bool is_long = sides.x() >= sides.y();
+  const bool is_u_long = sides.x() >= sides.y();
   PlaneExtent extent;
   for (const Eigen::Vector2d& corner : outline)
     extent.hull.push_back (frame.toSpace (corner));
   extent.area = areaOf (outline);
   extent.center = frame.toSpace (rectangle.center());
-  extent.long_axis = frame.directionInSpace (is_long ? rectangle.u : rectangle.left());
+  extent.long_axis =
+      frame.directionInSpace (is_u_long ? rectangle.u : rectangle.left());
   extent.short_axis =
-      frame.directionInSpace (is_long ? rectangle.left() : -rectangle.u);
+      frame.directionInSpace (is_u_long ? rectangle.left() : -rectangle.u);
   extent.length = sides.maxCoeff();
   extent.width = sides.minCoeff();
   for (std::size_t hole = 1; hole < rings.size(); ++hole) {

@@ -12,7 +12,7 @@ namespace {
 
 using namespace internal;
 
-/** \brief The counter of one test. */
+/** \brief The member of DroppedPlanes that counts the planes that fail one test. */
 using Counter = std::size_t DroppedPlanes::*;
 
 bool
@@ -27,14 +27,15 @@ isDirection (const Eigen::Vector3d& vector)
   return vector.allFinite() && !vector.isZero (0.0);
 }
 
-/** \brief Whether both are finite numbers from 0, and low is not above high. */
+/** \brief Whether both are finite numbers, 0 or more, and low is not above high. */
 bool
 areBounds (double low, double high)
 {
   return isFiniteAndNotNegative (low) && isFiniteAndNotNegative (high) && low <= high;
 }
 
-/** \param[in] size two sides in any order, and a tolerance [m] */
+/** \brief Whether a plane has a length and a width.
+ * \param[in] size both sides in any order, and a tolerance [m] */
 bool
 hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
 {
@@ -44,7 +45,8 @@ hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
          std::abs (extent.width - shorter) <= tolerance;
 }
 
-/** \return the counter of the first test that fails; nullptr if all succeed */
+/** \return the counter of the first test that an extent fails; nullptr if it passes all
+ */
 Counter
 failureOf (const PlaneExtent& extent, const PlaneFilter& filter)
 {
@@ -62,7 +64,8 @@ failureOf (const PlaneExtent& extent, const PlaneFilter& filter)
 }
 
 /** \return the counter of the first test that a plane fails; nullptr if it passes all
- * \param[in] filter with directions of length 1 */
+ * \param[in] filter its direction and up axis have length 1
+ * \param[in] extent_of called only if a test needs the extent */
 Counter
 failureOf (const PlaneSegment& plane,
            const PlaneFilter& filter,
@@ -70,7 +73,7 @@ failureOf (const PlaneSegment& plane,
 {
   if (filter.orientation && plane.orientation != *filter.orientation)
     return &DroppedPlanes::by_orientation;
-  // A plane across the direction is horizontal if the direction counts as up.
+  // A plane faces the direction if it is horizontal with the direction as up.
   if (filter.direction &&
       orientationOf (plane.normal, *filter.direction, filter.direction_tolerance) !=
           Orientation::Horizontal)
@@ -124,14 +127,14 @@ keptPlanes (const std::vector<PlaneSegment>& planes,
 {
   detail::throwOn (validate (filter));
   dropped = {};
-  PlaneFilter unit = filter; // with directions of length 1
-  unit.up_axis.stableNormalize();
-  if (unit.direction)
-    unit.direction->stableNormalize();
+  PlaneFilter with_unit_vectors = filter;
+  with_unit_vectors.up_axis.stableNormalize();
+  if (with_unit_vectors.direction)
+    with_unit_vectors.direction->stableNormalize();
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    if (const Counter failed = failureOf (planes[i], unit, extent_of))
-      ++(dropped.*failed);
+    if (const Counter failed_test = failureOf (planes[i], with_unit_vectors, extent_of))
+      ++(dropped.*failed_test);
     else
       kept.push_back (i);
   if (filter.max_planes && kept.size() > *filter.max_planes) {

@@ -16,53 +16,54 @@ namespace pcl_ops {
 using namespace internal;
 namespace {
 
-/** \brief The finite inliers of a plane, projected onto it and sorted by their places,
- * the distinct positions there. So the pieces do not depend on the order of the points
- * in the cloud. */
-struct PlacedInliers {
+/** \brief The finite inliers of a plane, projected onto it and sorted by their
+ * positions there. So the pieces do not depend on the order of the points in the cloud.
+ */
+struct ProjectedInliers {
   /** \brief Indices into the cloud. */
   pcl::Indices indices;
-  /** \brief For each of \ref indices the index of its place in \ref places. */
-  std::vector<std::uint32_t> place_of;
-  /** \brief Distinct positions on the plane [m]. */
-  PlanarPoints places;
+  /** \brief For each of \ref indices the index of its position in \ref positions. */
+  std::vector<std::uint32_t> position_of;
+  /** \brief Distinct positions in the plane [m]. */
+  PlanarPoints positions;
 };
 
-PlacedInliers
-placedInliersOf (const CloudView& cloud, const PlaneSegment& plane)
+ProjectedInliers
+projectedInliersOf (const CloudView& cloud, const PlaneSegment& plane)
 {
   const PlaneFrame frame (plane.centroid, plane.normal);
-  struct Placed {
-    Eigen::Vector2d place;
-    double height;
-    pcl::index_t index;
+  struct Inlier {
+    Eigen::Vector2d position; // in the plane [m]
+    double height;            // over the plane [m]
+    pcl::index_t index;       // into the cloud
   };
-  std::vector<Placed> all;
+  std::vector<Inlier> sorted;
   for (const pcl::index_t index : plane.inliers) {
     const Eigen::Vector3d point =
         Eigen::Map<const Eigen::Vector3f> (cloud[index]).cast<double>();
     if (point.allFinite()) // NaN cannot be sorted
-      all.push_back (
+      sorted.push_back (
           {frame.toPlane (point), plane.normal.dot (point - plane.centroid), index});
   }
-  std::sort (all.begin(), all.end(), [] (const Placed& a, const Placed& b) {
-    return std::make_tuple (a.place.x(), a.place.y(), a.height) <
-           std::make_tuple (b.place.x(), b.place.y(), b.height);
+  std::sort (sorted.begin(), sorted.end(), [] (const Inlier& a, const Inlier& b) {
+    return std::make_tuple (a.position.x(), a.position.y(), a.height) <
+           std::make_tuple (b.position.x(), b.position.y(), b.height);
   });
-  PlacedInliers inliers;
-  for (const Placed& placed : all) {
-    if (inliers.places.empty() || inliers.places.back() != placed.place)
-      inliers.places.push_back (placed.place);
-    inliers.indices.push_back (placed.index);
-    inliers.place_of.push_back (static_cast<std::uint32_t> (inliers.places.size() - 1));
+  ProjectedInliers inliers;
+  for (const Inlier& inlier : sorted) {
+    if (inliers.positions.empty() || inliers.positions.back() != inlier.position)
+      inliers.positions.push_back (inlier.position);
+    inliers.indices.push_back (inlier.index);
+    inliers.position_of.push_back (
+        static_cast<std::uint32_t> (inliers.positions.size() - 1));
   }
   return inliers;
 }
 
-/** \brief Two places, first < second, and the distance between them [m]. */
+/** \brief Two positions, and the distance between them [m]. */
 struct Link {
   double length;
-  std::uint32_t first, second;
+  std::uint32_t first, second; // indices of the positions, first < second
 
   bool
   operator<(const Link& other) const
@@ -72,17 +73,20 @@ struct Link {
   }
 };
 
-/** \brief Union-find with sizes; the root of a set is its smallest member. */
+/** \brief Disjoint sets of indices (union-find). The root of a set is its smallest
+ * index; its size is the sum of the sizes given for its indices. */
 class DisjointSets {
 public:
+  /** \param[in] sizes of the sets at first: each index is a set of its own */
   explicit DisjointSets (const std::vector<std::size_t>& sizes)
   : parents_ (sizes.size()), sizes_ (sizes)
   {
     std::iota (parents_.begin(), parents_.end(), 0U);
   }
 
+  /** \brief Returns the root of the set of an index. */
   std::uint32_t
-  find (std::uint32_t i)
+  rootOf (std::uint32_t i)
   {
     while (parents_[i] != i) {
       parents_[i] = parents_[parents_[i]];
@@ -91,16 +95,18 @@ public:
     return i;
   }
 
+  /** \brief Returns the size of the set of an index. */
   std::size_t
   sizeOf (std::uint32_t i)
   {
-    return sizes_[find (i)];
+    return sizes_[rootOf (i)];
   }
 
+  /** \brief Joins the sets of two indices. */
   void
   join (std::uint32_t i, std::uint32_t j)
   {
-    const auto [root, child] = std::minmax ({find (i), find (j)});
+    const auto [root, child] = std::minmax ({rootOf (i), rootOf (j)});
     if (root == child)
       return;
     parents_[child] = root;
@@ -108,122 +114,128 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> parents_;
-  std::vector<std::size_t> sizes_;
+  std::vector<std::uint32_t> parents_; // of each index; a root is its own parent
+  std::vector<std::size_t> sizes_;     // of the sets, at their roots
 };
 
-/** \brief The second shortest of four distances, one for each pair of opposite octants:
- * to the nearer neighbor of both. The shortest if no other is finite. Along a line of
- * places only one is short; at a corner of an area two or more are. At the border of an
- * area a neighbor on one side is enough.
+/** \brief Returns the second shortest of four distances, one for each pair of opposite
+ * octants: the distance to the nearer of their two neighbors. Returns the shortest if
+ * no other one is finite. Along a line of positions only one of the four is short; at a
+ * corner of an area at least two are. At the border of an area a neighbor in one of two
+ * opposite octants is enough.
  * \param[in] lengths by octant; squares of lengths give the square of the result */
 double
 secondShortest (const std::array<double, octants>& lengths)
 {
   constexpr std::size_t directions = octants / 2;
-  std::array<double, directions> shorter;
+  std::array<double, directions> shorter; // of both lengths in opposite octants
   for (std::size_t i = 0; i < directions; ++i)
     shorter[i] = std::min (lengths[i], lengths[i + directions]);
   std::sort (shorter.begin(), shorter.end());
   return std::isfinite (shorter[1]) ? shorter[1] : shorter[0];
 }
 
-/** \brief Spacing of the places around one of them [m]. */
+/** \brief Spacing of the positions around one of them [m].
+ * \param[in] neighbors of that position */
 double
 spacingAt (const OctantNeighbors& neighbors)
 {
   return std::sqrt (secondShortest (neighbors.squared_distances));
 }
 
-/** \brief Gap between a group of places and the next places around it [m]. Where noise
- * has widened the scan lines of a lidar, it is the distance between two lines. */
+/** \brief Gap between a group of positions and the next positions around it [m]. Where
+ * noise has widened the scan lines of a lidar, it is the gap between two lines. */
 double
-distanceAround (const OctantTree::Group& group, const PlanarPoints& places)
+gapAround (const OctantTree::Group& group, const PlanarPoints& positions)
 {
-  std::array<double, octants> lengths;
-  for (std::size_t o = 0; o < octants; ++o) {
-    lengths[o] = std::sqrt (group.neighbors.squared_distances[o]);
-    const std::uint32_t neighbor = group.neighbors.points[o];
+  std::array<double, octants> gaps;
+  for (std::size_t octant = 0; octant < octants; ++octant) {
+    gaps[octant] = std::sqrt (group.neighbors.squared_distances[octant]);
+    const std::uint32_t neighbor = group.neighbors.points[octant];
     if (neighbor == no_neighbor)
       continue;
-    const Eigen::Vector2d direction = (places[neighbor] - group.center) / lengths[o];
-    double reach = 0.0;
-    for (const std::uint32_t place : group.points)
-      reach = std::max (reach, direction.dot (places[place] - group.center));
-    lengths[o] -= reach;
+    const Eigen::Vector2d direction =
+        (positions[neighbor] - group.center) / gaps[octant];
+    double reach = 0.0; // of the group from its center in this direction
+    for (const std::uint32_t position : group.points)
+      reach = std::max (reach, direction.dot (positions[position] - group.center));
+    gaps[octant] -= reach;
   }
-  return secondShortest (lengths);
+  return secondShortest (gaps);
 }
 
-/** \brief Links each place to its nearest neighbor in each octant, and has the spacing
- * around each place. The links contain the minimum spanning tree of all places (Yao,
- * 1982). */
-struct PlaceGraph {
+/** \brief For each position its nearest neighbor in each octant, and the spacing around
+ * it [m]. The links to these neighbors contain the minimum spanning tree of all
+ * positions (A. C. Yao, 1982). */
+struct PositionGraph {
   std::vector<OctantNeighbors> neighbors;
   std::vector<double> spacings;
 };
 
-PlaceGraph
-graphOf (const PlanarPoints& places, unsigned threads)
+PositionGraph
+graphOf (const PlanarPoints& positions, unsigned threads)
 {
-  const OctantTree tree (places);
-  PlaceGraph graph;
-  graph.neighbors.resize (places.size());
-  graph.spacings.resize (places.size());
-  forEach (threads, places.size(), [&] (std::size_t i) {
+  const OctantTree tree (positions);
+  PositionGraph graph;
+  graph.neighbors.resize (positions.size());
+  graph.spacings.resize (positions.size());
+  forEach (threads, positions.size(), [&] (std::size_t i) {
     graph.neighbors[i] = tree.neighborsOf (static_cast<std::uint32_t> (i));
   });
-  // A single place may have near neighbors by chance, a group of places does not.
+  // A single position may have near neighbors by chance, a group of positions does not.
   for (const OctantTree::Group& group : tree.groups (threads)) {
     double sum = 0.0;
-    for (const std::uint32_t place : group.points)
-      sum += spacingAt (graph.neighbors[place]);
-    const double mean = sum / static_cast<double> (group.points.size());
-    const double around = distanceAround (group, places);
-    for (const std::uint32_t place : group.points)
-      graph.spacings[place] = std::max (mean, around);
+    for (const std::uint32_t position : group.points)
+      sum += spacingAt (graph.neighbors[position]);
+    const double mean_spacing = sum / static_cast<double> (group.points.size());
+    const double gap = gapAround (group, positions);
+    for (const std::uint32_t position : group.points)
+      graph.spacings[position] = std::max (mean_spacing, gap);
   }
   return graph;
 }
 
-/** \brief Returns for each place the label of its piece: the smallest index of the
- * places of the piece.
- * \param[in] points_at number of points at each place */
+/** \brief Returns for each position the label of its piece: the smallest index of the
+ * positions of the piece.
+ * \param[in] points_at number of points at each position */
 std::vector<std::uint32_t>
-pieceOfEachPlace (const PlanarPoints& places,
-                  const std::vector<std::size_t>& points_at,
-                  const PlanePiecesParameters& parameters,
-                  unsigned threads)
+pieceOfEachPosition (const PlanarPoints& positions,
+                     const std::vector<std::size_t>& points_at,
+                     const PlanePiecesParameters& parameters,
+                     unsigned threads)
 {
-  const PlaceGraph graph = graphOf (places, threads);
+  const PositionGraph graph = graphOf (positions, threads);
   DisjointSets pieces (points_at);
-  std::vector<Link> wide; // links over gaps
-  for (std::uint32_t i = 0; i < places.size(); ++i)
-    for (std::size_t o = 0; o < octants; ++o) {
-      const std::uint32_t j = graph.neighbors[i].points[o];
+  std::vector<Link> links_over_gaps;
+  for (std::uint32_t i = 0; i < positions.size(); ++i)
+    for (std::size_t octant = 0; octant < octants; ++octant) {
+      const std::uint32_t j = graph.neighbors[i].points[octant];
       if (j == no_neighbor)
         continue;
-      const double length = std::sqrt (graph.neighbors[i].squared_distances[o]);
+      const double length = std::sqrt (graph.neighbors[i].squared_distances[octant]);
       const double spacing = std::min (graph.spacings[i], graph.spacings[j]);
       if (length <= parameters.max_gap * spacing)
         pieces.join (i, j);
       else
-        wide.push_back ({length, std::min (i, j), std::max (i, j)});
+        links_over_gaps.push_back ({length, std::min (i, j), std::max (i, j)});
     }
-  // Joins small pieces over gaps, the narrowest first.
-  std::sort (wide.begin(), wide.end());
-  for (const Link& link : wide)
+  // Join pieces with fewer than min_points points to others, over the narrowest gaps
+  // first.
+  std::sort (links_over_gaps.begin(), links_over_gaps.end());
+  for (const Link& link : links_over_gaps)
     if (std::min (pieces.sizeOf (link.first), pieces.sizeOf (link.second)) <
         parameters.min_points)
       pieces.join (link.first, link.second);
   std::vector<std::uint32_t> labels;
-  for (std::uint32_t i = 0; i < places.size(); ++i)
-    labels.push_back (pieces.find (i));
+  for (std::uint32_t i = 0; i < positions.size(); ++i)
+    labels.push_back (pieces.rootOf (i));
   return labels;
 }
 
-/** \brief A piece of a plane.
- * \param[in] inliers sorted by places, as rounding of sums depends on the order */
+/** \brief Makes a piece of a plane: it has the normal of the plane, and its own
+ * centroid and moments.
+ * \param[in] inliers of the piece, sorted by their positions in the plane: the order
+ * determines the rounding of sums */
 PlaneSegment
 pieceOf (const CloudView& cloud, const PlaneSegment& plane, pcl::Indices inliers)
 {
@@ -244,24 +256,24 @@ pieceOf (const CloudView& cloud, const PlaneSegment& plane, pcl::Indices inliers
   return piece;
 }
 
-/** \brief The pieces of a plane, in the order of their first places. */
+/** \brief The pieces of a plane, in the order of their first positions. */
 std::vector<PlaneSegment>
 piecesOf (const CloudView& cloud,
           const PlaneSegment& plane,
           const PlanePiecesParameters& parameters,
           unsigned threads)
 {
-  const PlacedInliers inliers = placedInliersOf (cloud, plane);
-  std::vector<std::size_t> points_at (inliers.places.size(), 0);
-  for (const std::uint32_t place : inliers.place_of)
-    ++points_at[place];
-  const std::vector<std::uint32_t> label_of_place =
-      pieceOfEachPlace (inliers.places, points_at, parameters, threads);
-  std::vector<pcl::Indices> inliers_of_label (inliers.places.size());
+  const ProjectedInliers inliers = projectedInliersOf (cloud, plane);
+  std::vector<std::size_t> points_at (inliers.positions.size(), 0);
+  for (const std::uint32_t position : inliers.position_of)
+    ++points_at[position];
+  const std::vector<std::uint32_t> label_of_position =
+      pieceOfEachPosition (inliers.positions, points_at, parameters, threads);
+  std::vector<pcl::Indices> inliers_of_label (inliers.positions.size());
   for (std::size_t i = 0; i < inliers.indices.size(); ++i)
-    inliers_of_label[label_of_place[inliers.place_of[i]]].push_back (
+    inliers_of_label[label_of_position[inliers.position_of[i]]].push_back (
         inliers.indices[i]);
-  // Most labels have no piece.
+  // Most positions are not the first one of a piece: their indices are no labels.
   inliers_of_label.erase (
       std::remove_if (inliers_of_label.begin(),
                       inliers_of_label.end(),
@@ -292,7 +304,7 @@ findPlanePieces (const CloudView& cloud,
                  unsigned threads)
 {
   detail::throwOn (validate (parameters));
-  PlanePieces found;
+  PlanePieces found; // in the order of the planes
   for (std::size_t p = 0; p < planes.size(); ++p) {
     checkInliers (cloud, planes[p]);
     for (PlaneSegment& piece : piecesOf (cloud, planes[p], parameters, threads)) {
@@ -305,7 +317,7 @@ findPlanePieces (const CloudView& cloud,
   std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
     return found.pieces[a].inliers.size() > found.pieces[b].inliers.size();
   });
-  PlanePieces sorted;
+  PlanePieces sorted; // by descending number of inliers
   for (const std::size_t i : order) {
     sorted.pieces.push_back (std::move (found.pieces[i]));
     sorted.planes.push_back (found.planes[i]);

@@ -10,28 +10,30 @@
 namespace pcl_ops {
 namespace {
 
-/** \brief Factor of the old moments in each new frame: the weights of all frames sum up
- * to at most 1 / (1 - 0.7), the weight of about three new frames. */
-constexpr double kept_share = 0.7;
+/** \brief Factor of the older moments in each frame that sees the plane. The weights of
+ * all frames sum up to at most 1 / (1 - 0.7), the weight of about three new frames. */
+constexpr double weight_of_older = 0.7;
 
-/** \brief Normalizes the rotation of a motion: rounding would add up over frames. */
+/** \brief Returns a motion with its rotation normalized: rounding would add up over
+ * frames. */
 Eigen::Isometry3d
-rigid (Eigen::Isometry3d motion)
+normalized (Eigen::Isometry3d motion)
 {
   const Eigen::Quaterniond rotation (motion.linear());
   motion.linear() = rotation.normalized().toRotationMatrix();
   return motion;
 }
 
-/** \brief Replaces a plane by the plane seen now; its older moments count less. */
+/** \brief Replaces a known plane by the plane seen now, with the moments of both: older
+ * moments count less. */
 void
-renew (PlaneSegment& known, const PlaneSegment& seen)
+update (PlaneSegment& known, const PlaneSegment& seen)
 {
   Moments moments = known.moments;
-  moments.count *= kept_share;
-  moments.sum *= kept_share;
+  moments.count *= weight_of_older;
+  moments.sum *= weight_of_older;
   for (double& product : moments.products)
-    product *= kept_share;
+    product *= weight_of_older;
   moments += seen.moments;
   known = seen;
   known.moments = moments.about (seen.centroid);
@@ -51,8 +53,8 @@ widen (PlaneExtent& extent, const PlaneSegment& seen)
     corners.push_back (frame.toPlane (corner));
   for (const Eigen::Vector3d& corner : internal::cornersOf (*patch))
     corners.push_back (frame.toPlane (corner));
-  constexpr double all_inside = 0.0;
-  extent = extentOf ({convexHull (corners, all_inside)}, corners, frame);
+  constexpr double none_outside = 0.0; // share of the corners
+  extent = extentOf ({convexHull (corners, none_outside)}, corners, frame);
 }
 
 } // namespace
@@ -86,7 +88,7 @@ PlaneTracker::track (const std::vector<PlaneSegment>& planes,
                      const Eigen::Isometry3d& pose)
 {
   const Eigen::Isometry3d expected =
-      rigid (frames_ == 0 ? pose : pose_ * given_pose_.inverse() * pose);
+      normalized (frames_ == 0 ? pose : pose_ * given_pose_.inverse() * pose);
   std::vector<PlaneSegment> known;
   for (const TrackedPlane& tracked : remembered_)
     known.push_back (tracked.plane);
@@ -103,17 +105,18 @@ PlaneTracker::track (const std::vector<PlaneSegment>& planes,
         is_new ? remembered_.back()
                : remembered_[static_cast<std::size_t> (matches.previous[i])];
     if (!is_new)
-      renew (tracked.plane, seen);
+      update (tracked.plane, seen);
     widen (tracked.extent, seen);
     tracked.last_seen = frames_;
     ++tracked.times_seen;
     numbers.push_back (tracked.number);
   }
-  remembered_.erase (
-      std::remove_if (remembered_.begin(),
-                      remembered_.end(),
-                      [this] (const TrackedPlane& one) { return isForgotten (one); }),
-      remembered_.end());
+  remembered_.erase (std::remove_if (remembered_.begin(),
+                                     remembered_.end(),
+                                     [this] (const TrackedPlane& tracked) {
+                                       return isForgotten (tracked);
+                                     }),
+                     remembered_.end());
   ++frames_;
   return numbers;
 }

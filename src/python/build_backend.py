@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What pip calls (PEP 517): builds the module by CMake, without PCL."""
+"""The functions that pip calls (PEP 517). They build the module by CMake, without PCL."""
 
 import base64
 import hashlib
@@ -39,17 +39,18 @@ def metadata():
 
 
 def wheel_tag():
+    """The part of a wheel's name that says for which Python and which system it is."""
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
     return f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
 
 
 def dist_info():
-    """The name of the folder of a wheel that describes it."""
+    """The name of the folder in a wheel that has the files about the wheel itself."""
     return f"pcl_ops-{version()}.dist-info"
 
 
 def dist_info_files():
-    """Names and contents of the files in dist_info(), except for RECORD."""
+    """Contents of the files in the folder dist_info() by their names, without RECORD."""
     wheel = ("Wheel-Version: 1.0\nGenerator: pcl_ops\nRoot-Is-Purelib: false\n"
              f"Tag: {wheel_tag()}\n")
     return {"METADATA": metadata().encode(), "WHEEL": wheel.encode(),
@@ -57,7 +58,9 @@ def dist_info_files():
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    """What pip calls first. Without it pip would build one wheel for its metadata, and another.
+    """Writes the metadata alone; returns the name of their folder.
+
+    Without this function pip would build a whole wheel for its metadata, and then another.
     """
     folder = pathlib.Path(metadata_directory, dist_info())
     folder.mkdir()
@@ -67,12 +70,12 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 
 
 def write_wheel(package, wheel_directory):
-    """Writes a wheel of the folder of a built package; returns its name."""
+    """Writes a wheel with the files of a folder, the built package; returns the wheel's name."""
     info = dist_info()
     files = {f"pcl_ops/{file.name}": file.read_bytes()
              for file in sorted(package.iterdir()) if file.is_file()}
     files.update({f"{info}/{name}": content for name, content in dist_info_files().items()})
-    record = ""
+    record = ""  # a line for each file: path, hash, bytes
     for path, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
         record += f"{path},sha256={digest},{len(content)}\n"
@@ -85,6 +88,7 @@ def write_wheel(package, wheel_directory):
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    """Builds the package by CMake and writes its wheel; returns the wheel's name."""
     with tempfile.TemporaryDirectory() as folder:
         build, prefix = pathlib.Path(folder, "build"), pathlib.Path(folder, "prefix")
         settings = {
@@ -104,7 +108,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """Writes an archive of the files that git knows; returns its name."""
+    """Writes an archive of the committed files; returns the archive's name."""
     name = f"pcl_ops-{version()}"
     with tempfile.TemporaryDirectory() as folder:
         package_information = pathlib.Path(folder, "PKG-INFO")

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads and writes files as the programs do. An extension of its own, as it loads a
-// library of PCL if PCL is installed.
+// Reads and writes files as the programs do. This is an extension module of its own, as
+// it takes long to load: it may need a library of PCL.
 #include "interpreter.h"
 #include <cli/errors.h>
 #include <io/cloud_file.h>
@@ -17,8 +17,8 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief Unit of x and y by the reference system: "meter", "foot" or "degree"; else
- * None. */
+/** \brief Unit of x and y by the reference system of a .las or .laz: "meter", "foot" or
+ * "degree"; None if it is not known. */
 py::object
 unitOf (const FileCloud& cloud)
 {
@@ -45,17 +45,18 @@ vectorOf (const py::array_t<Number, Flags>& numbers)
   return {numbers.data(), numbers.data() + numbers.size()};
 }
 
-/** \brief Does work on files while other threads of Python run.
- * \param[in] error type of the exception that Python raises for a ProgramError */
+/** \brief Calls \p work, which reads or writes files, while other threads of Python
+ * run.
+ * \param[in] exception type that Python raises for a ProgramError of \p work */
 template <typename Work>
 void
-onFiles (PyObject* error, const Work& work)
+doFileWork (PyObject* exception, const Work& work)
 {
   try {
     pcl_ops::python::whileOthersRun (work);
   }
-  catch (const ProgramError& problem) {
-    PyErr_SetString (error, problem.what());
+  catch (const ProgramError& error) {
+    PyErr_SetString (exception, error.what());
     throw py::error_already_set();
   }
 }
@@ -65,34 +66,36 @@ py::object
 load (const std::string& file)
 {
   auto cloud = std::make_unique<FileCloud>();
-  onFiles (PyExc_ValueError, [&] { *cloud = loadCloud (file); });
-  const py::object parts = py::module_::import ("types").attr ("SimpleNamespace");
+  doFileWork (PyExc_ValueError, [&] { *cloud = loadCloud (file); });
+  const py::object make_object = py::module_::import ("types").attr ("SimpleNamespace");
   using py::arg;
   py::list fields;
   for (const pcl::PCLPointField& field : cloud->points.fields)
-    fields.append (parts (arg ("name") = field.name,
-                          arg ("offset") = field.offset,
-                          arg ("datatype") = field.datatype,
-                          arg ("count") = field.count));
+    fields.append (make_object (arg ("name") = field.name,
+                                arg ("offset") = field.offset,
+                                arg ("datatype") = field.datatype,
+                                arg ("count") = field.count));
   const pcl::PCLPointCloud2& points = cloud->points;
   const Eigen::Vector3d viewpoint = cloud->origin;
   const Eigen::Quaterniond& turn = cloud->orientation;
-  const auto orientation = std::make_tuple (turn.w(), turn.x(), turn.y(), turn.z());
+  const py::tuple orientation = py::make_tuple (turn.w(), turn.x(), turn.y(), turn.z());
   const py::object unit = unitOf (*cloud);
-  const py::capsule owner (cloud.release(),
-                           [] (void* it) { delete static_cast<FileCloud*> (it); });
+  // Keeps the cloud as long as the array of its bytes exists.
+  const py::capsule owner (cloud.release(), [] (void* released) {
+    delete static_cast<FileCloud*> (released);
+  });
   const py::array_t<std::uint8_t> data (
       static_cast<py::ssize_t> (points.data.size()), points.data.data(), owner);
-  return parts (arg ("width") = points.width,
-                arg ("height") = points.height,
-                arg ("fields") = fields,
-                arg ("is_bigendian") = points.is_bigendian,
-                arg ("point_step") = points.point_step,
-                arg ("row_step") = points.row_step,
-                arg ("data") = data,
-                arg ("viewpoint") = viewpoint,
-                arg ("orientation") = orientation,
-                arg ("unit") = unit);
+  return make_object (arg ("width") = points.width,
+                      arg ("height") = points.height,
+                      arg ("fields") = fields,
+                      arg ("is_bigendian") = points.is_bigendian,
+                      arg ("point_step") = points.point_step,
+                      arg ("row_step") = points.row_step,
+                      arg ("data") = data,
+                      arg ("viewpoint") = viewpoint,
+                      arg ("orientation") = orientation,
+                      arg ("unit") = unit);
 }
 
 using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
@@ -102,10 +105,14 @@ using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
 using Field = std::tuple<std::string, std::uint8_t, pcl::uindex_t>;
 
 /** \brief Writes a .pcd or .ply.
- * \param[in] viewpoint, orientation of the sensor, the latter as w, x, y, z
- * \param[in] labels, distances of all points, or empty
- * \param[in] keeps_color points keep the colors of the cloud, else get those of planes
- */
+ * \param[in] data the bytes of all points, one point after the other
+ * \param[in] height number of rows of the image, or 1
+ * \param[in] viewpoint position of the sensor
+ * \param[in] orientation of the sensor, a quaternion w, x, y, z
+ * \param[in] labels plane of each point, from 1 on, 0 for none; or empty
+ * \param[in] distances of each point to its plane, or empty
+ * \param[in] keeps_color if there are labels: whether points keep the colors of the
+ * cloud; else they get those of their planes */
 void
 writeCloud (const std::string& file,
             const std::vector<Field>& fields,
@@ -127,9 +134,9 @@ writeCloud (const std::string& file,
   cloud.points.row_step = cloud.points.point_step * cloud.points.width;
   cloud.origin = viewpoint;
   cloud.orientation = {orientation[0], orientation[1], orientation[2], orientation[3]};
-  const auto plane_labels = vectorOf (labels);
-  const auto distances_of_points = vectorOf (distances);
-  onFiles (PyExc_OSError, [&] {
+  const std::vector<std::uint32_t> plane_labels = vectorOf (labels);
+  const std::vector<float> distances_of_points = vectorOf (distances);
+  doFileWork (PyExc_OSError, [&] {
     if (plane_labels.empty())
       saveCloud (file, cloud);
     else
@@ -137,8 +144,9 @@ writeCloud (const std::string& file,
   });
 }
 
-/** \brief Writes a .las or .laz with every byte of \p source and fields for labels and
- * distances; raises ValueError if \p source has other points than \p points. */
+/** \brief Writes a .las or .laz with all that is in \p source, and fields for labels
+ * and distances. Raises ValueError if \p source has other points than \p points.
+ * \param[in] labels, distances as for \ref writeCloud; distances may be empty */
 void
 writeLas (const std::string& file,
           const std::string& source,
@@ -148,10 +156,10 @@ writeLas (const std::string& file,
 {
   const double* next_point = points.data();
   const auto point_count = static_cast<std::uint64_t> (points.shape (0));
-  const auto plane_labels = vectorOf (labels);
-  const auto distances_of_points = vectorOf (distances);
+  const std::vector<std::uint32_t> plane_labels = vectorOf (labels);
+  const std::vector<float> distances_of_points = vectorOf (distances);
   std::shared_ptr<LasFile> las;
-  onFiles (PyExc_ValueError, [&] {
+  doFileWork (PyExc_ValueError, [&] {
     las = openLas (source);
     const std::string problem =
         las->validate (distances_of_points.empty()
@@ -171,8 +179,8 @@ writeLas (const std::string& file,
           "has other points than the cloud, and a .las is written with all "
           "that is in the one it was read from; write a .pcd or .ply");
   });
-  onFiles (PyExc_OSError,
-           [&] { saveLabeledLas (file, *las, plane_labels, distances_of_points); });
+  doFileWork (PyExc_OSError,
+              [&] { saveLabeledLas (file, *las, plane_labels, distances_of_points); });
 }
 
 } // namespace

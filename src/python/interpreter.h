@@ -10,23 +10,23 @@
 
 namespace pcl_ops::python {
 
-/** \brief Does work without the GIL, so that other threads of Python run meanwhile. The
- * work must not use Python's objects.
+/** \brief Calls \p work without Python's global lock (GIL), so that other threads of
+ * Python run meanwhile. \p work must not use Python's objects.
  *
- * If Python ends meanwhile, PyEval_RestoreThread unwinds the thread to end it. Then
- * destructors in the callers would release Python's objects without the GIL.
- * So the thread sleeps until the process has ended. */
+ * If Python ends meanwhile, PyEval_RestoreThread unwinds the stack to end the thread.
+ * Destructors in the callers would then release Python's objects without the GIL. To
+ * prevent this, the thread sleeps until the process has ended. */
 template <typename Work>
 void
 whileOthersRun (const Work& work)
 {
   PyThreadState* const state = PyEval_SaveThread();
-  std::exception_ptr problem;
+  std::exception_ptr exception;
   try {
     work();
   }
   catch (...) {
-    problem = std::current_exception();
+    exception = std::current_exception();
   }
   try {
     PyEval_RestoreThread (state);
@@ -35,8 +35,8 @@ whileOthersRun (const Work& work)
     while (true)
       std::this_thread::sleep_for (std::chrono::hours (1));
   }
-  if (problem)
-    std::rethrow_exception (problem);
+  if (exception)
+    std::rethrow_exception (exception);
 }
 
 } // namespace pcl_ops::python

@@ -35,13 +35,14 @@ using PlaneSegments = std::vector<PlaneSegment>;
 CloudView
 viewOf (const PointRows& points)
 {
+  constexpr std::size_t x_offset = 0; // [bytes]
   return {points.data(),
-          0,
+          x_offset,
           static_cast<std::size_t> (points.strides (0)),
           static_cast<std::size_t> (points.shape (0))};
 }
 
-/** \brief The axes u and v of the plane's frame as rows, as numpy has vectors. */
+/** \brief The axes u and v of the plane's frame, one in each row. */
 Eigen::Matrix<double, 2, 3>
 axesOf (const PlaneSegment& plane)
 {
@@ -52,6 +53,7 @@ axesOf (const PlaneSegment& plane)
   return axes;
 }
 
+/** \brief The matrix alone, which becomes an array; None for nothing. */
 std::optional<Eigen::Matrix3d>
 matrixOf (const std::optional<PlaneCovariance>& covariance)
 {
@@ -60,7 +62,8 @@ matrixOf (const std::optional<PlaneCovariance>& covariance)
 
 using Inliers = Eigen::Matrix<pcl::index_t, Eigen::Dynamic, 1>;
 
-/** \brief Makes a plane from the values in a pickle. */
+/** \brief Makes a plane from the values in a pickle; count, sum and products are those
+ * of its moments about \p origin. */
 PlaneSegment
 segmentOf (const Eigen::Vector3d& centroid,
            const Eigen::Vector3d& normal,
@@ -107,10 +110,11 @@ defineSegment (py::module_& module)
       });
 }
 
-/** \return the planes in the frame of the array, the voxel size and the distance
+/** \brief Finds the planes of points.
+ * \return the planes in the frame of the user's array, the voxel size and the distance
  * threshold that were used
  * \param[in] points relative to \p origin
- * \param[in] origin, viewpoint in the frame of the array */
+ * \param[in] origin, viewpoint in the frame of the user's array */
 template <typename Parameters>
 std::tuple<PlaneSegments, std::optional<double>, std::optional<double>>
 segment (const PointRows& points,
@@ -121,8 +125,9 @@ segment (const PointRows& points,
   const detail::DetectorInput input{viewOf (points), nullptr, viewpoint - origin, {}};
   detail::Detection found;
   whileOthersRun ([&] { found = detail::detectChecked (input, parameters); });
-  // A zero viewpoint means that no sensor is known. Relative to the origin it is not
-  // zero, so that the detector did not turn normals up.
+  // A viewpoint of zero may mean that no sensor is known: if the points were not seen
+  // from there, normals are turned up. The detector got it relative to the origin,
+  // where it is not zero, so this is done here.
   if (viewpoint.isZero (0.0) && !origin.isZero (0.0))
     turnUnseenUp (input.cloud,
                   input.viewpoint,
@@ -134,8 +139,10 @@ segment (const PointRows& points,
       std::move (found.planes), found.used.voxel_size, found.used.distance_threshold};
 }
 
-/** \return connected pieces of planes, and which plane each lies on
- * \param[in] points relative to \p origin */
+/** \brief Divides planes into connected pieces.
+ * \return the pieces, and for each piece the position of its plane
+ * \param[in] points relative to \p origin
+ * \param[in] max_gap widest gap within a piece [spacing of the points around it] */
 std::pair<PlaneSegments, std::vector<std::size_t>>
 pieces (const PointRows& points,
         const Eigen::Vector3d& origin,
@@ -155,8 +162,8 @@ pieces (const PointRows& points,
   return {std::move (found.pieces), std::move (found.planes)};
 }
 
-/** \brief A plane in the frame of a cloud that has only its inliers, in their order.
- * \param[in] origin zero of that cloud in the frame of the plane */
+/** \brief The plane as one of a cloud that has only its inliers, in their order.
+ * \param[in] origin zero of that cloud's frame in the frame of the plane */
 PlaneSegment
 inCloudOfInliers (PlaneSegment plane, const Eigen::Vector3d& origin)
 {
@@ -165,8 +172,9 @@ inCloudOfInliers (PlaneSegment plane, const Eigen::Vector3d& origin)
   return plane;
 }
 
-/** \return hull relative to \p origin, area, length and width
- * \param[in] inliers of the plane, relative to \p origin */
+/** \brief Measures the convex hull of a plane.
+ * \return hull relative to \p origin, area, length and width
+ * \param[in] inliers points of the plane, relative to \p origin */
 auto
 extent (const PointRows& inliers,
         const Eigen::Vector3d& origin,
@@ -177,9 +185,11 @@ extent (const PointRows& inliers,
   return std::make_tuple (found.hull, found.area, found.length, found.width);
 }
 
-/** \return outline and holes relative to \p origin, and their area
- * \param[in] inliers of the plane, relative to \p origin
- * \param[in] alpha radius of the alpha shape to begin with; 0: by the spacing */
+/** \brief Finds the concave outline of a plane.
+ * \return outline and holes relative to \p origin, and the area between them
+ * \param[in] inliers points of the plane, relative to \p origin
+ * \param[in] alpha radius of the alpha shape to begin with; 0: it follows the spacing of
+ * the points */
 auto
 concaveExtent (const PointRows& inliers,
                const Eigen::Vector3d& origin,
@@ -191,7 +201,8 @@ concaveExtent (const PointRows& inliers,
   return std::make_pair (found.rings(), found.area);
 }
 
-/** \return merged planes, and for each input plane the position of its merged plane, or
+/** \brief Merges planes.
+ * \return merged planes, and for each given plane the position of its merged plane, or
  * no_plane */
 std::pair<PlaneSegments, Labels>
 merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
@@ -229,18 +240,21 @@ merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
   return {std::move (merged_planes), merged.merged_into};
 }
 
-/** \param[in] values pairs of name and value */
+/** \brief A dict of Python.
+ * \param[in] values pairs of name and value */
 template <typename NamedValues>
 py::dict
 dictOf (const NamedValues& values)
 {
-  py::dict named;
+  py::dict by_name;
   for (const auto& [name, value] : values)
-    named[py::str (name)] = value;
-  return named;
+    by_name[py::str (name)] = value;
+  return by_name;
 }
 
-/** \return positions of the planes kept, and how many planes each argument drops */
+/** \brief Filters planes.
+ * \return positions of the kept planes, and a dict of the number of planes that each
+ * argument dropped */
 py::tuple
 filter (const py::list& planes, const PlaneFilter& filter)
 {
@@ -298,7 +312,9 @@ kinds (const py::list& planes,
   return names;
 }
 
-/** \return the planes, and (angle, offset, displacement, is_moved, direction, level) */
+/** \brief Makes planes parallel, orthogonal and coplanar.
+ * \return the planes, and how each moved: (angle, offset, displacement, is_moved,
+ * direction, level) */
 std::pair<PlaneSegments, py::list>
 regularize (const PlaneSegments& planes,
             const PlaneRegularizationParameters& parameters)
@@ -312,8 +328,10 @@ regularize (const PlaneSegments& planes,
   return {std::move (found.planes), moves};
 }
 
-/** \return for each current plane the position of its previous one, or no_plane; and
- * the corrected pose */
+/** \brief Matches the planes of two frames.
+ * \return for each current plane the position of its previous one, or no_plane; and the
+ * corrected pose
+ * \param[in] pose of the current frame in the previous one */
 std::pair<Labels, Eigen::Matrix4d>
 match (const PlaneSegments& previous,
        const PlaneSegments& current,
@@ -325,7 +343,8 @@ match (const PlaneSegments& previous,
   return {matches.previous, matches.pose.matrix()};
 }
 
-/** \return direction and confidence, or None */
+/** \brief Estimates the up axis.
+ * \return (direction, confidence), or None */
 py::object
 upAxis (const PlaneSegments& planes,
         const Eigen::Vector3d& viewpoint,
@@ -336,7 +355,8 @@ upAxis (const PlaneSegments& planes,
                : py::none();
 }
 
-/** \return (planes, start, end, angle) of edges, (planes, position) of corners
+/** \brief Finds edges and corners.
+ * \return (planes, start, end, angle) of edges, (planes, position) of corners
  * \param[in] points relative to \p origin; the planes are in the frame of the array */
 std::pair<py::list, py::list>
 edges (const PointRows& points,
@@ -369,11 +389,12 @@ kindCalled (const std::string& name)
   return PlaneKind::Other;
 }
 
-/** \return walls (start, end, thickness, openings, planes), with openings (start, end,
+/** \brief Draws a floor plan.
+ * \return walls (start, end, thickness, openings, planes), with openings (start, end,
  * sill, head, rooms, is_door); rooms (rings, area, enclosed, floor, ceiling, middle,
  * unseen, doors_to); and the heights of the floor and of the cut
  * \param[in] points relative to \p origin; the planes are in the frame of the array
- * \param[in] names of the kinds of the planes, by \ref kinds */
+ * \param[in] names kind of each plane, as \ref kinds returns it */
 py::tuple
 plan (const PointRows& points,
       const Eigen::Vector3d& origin,
@@ -415,7 +436,7 @@ plan (const PointRows& points,
   return py::make_tuple (walls, rooms, found.floor, found.height);
 }
 
-/** \brief Defines ResultContext, whose viewpoint is in the frame of the array. */
+/** \brief Defines ResultContext; its viewpoint is in the frame of the user's array. */
 void
 defineContext (py::module_& module)
 {
@@ -453,7 +474,8 @@ defineContext (py::module_& module)
             });
 }
 
-/** \return code and text of each warning, the most important first
+/** \brief Finds what is doubtful about a result.
+ * \return code and text of each warning, the most important first
  * \param[in] points relative to \p origin */
 std::vector<std::pair<std::string, std::string>>
 warningsOn (const PointRows& points,
@@ -511,20 +533,21 @@ defineTracker (py::module_& module)
 
 using PlaneNumbers = py::array_t<std::uint32_t, py::array::c_style>;
 
-/** \brief All metrics by name.
+/** \brief Compares a result with the truth. \return a dict of all metrics by name
  * \param[in] truth, result number of each point's plane from 1 on; 0 for no plane
- * \param[in] named_by up axis and tolerance that tell horizontal and vertical planes */
+ * \param[in] orientations of these parameters only up axis and tolerance are used, by
+ * which planes are horizontal or vertical */
 py::dict
 evaluate (const PlaneNumbers& truth,
           const PlaneNumbers& result,
           const PointRows& points,
-          const PlaneDetectorParameters& named_by)
+          const PlaneDetectorParameters& orientations)
 {
   evaluation::ClassParameters classes;
-  classes.up = named_by.up_axis.cast<double>().stableNormalized();
-  classes.tolerance = named_by.angle_tolerance;
+  classes.up = orientations.up_axis.cast<double>().stableNormalized();
+  classes.tolerance = orientations.angle_tolerance;
   const CloudView view = viewOf (points);
-  const auto labelsOf = [] (const PlaneNumbers& numbers) {
+  const auto labels_of = [] (const PlaneNumbers& numbers) {
     return evaluation::PlaneLabels (numbers.data(), numbers.data() + numbers.size());
   };
   evaluation::Metrics metrics;
@@ -533,22 +556,22 @@ evaluate (const PlaneNumbers& truth,
     cloud.reserve (view.size);
     for (std::size_t i = 0; i < view.size; ++i)
       cloud.emplace_back (view[i][0], view[i][1], view[i][2]);
-    metrics =
-        evaluation::compareLabels (cloud, labelsOf (truth), labelsOf (result), classes);
+    metrics = evaluation::compareLabels (
+        cloud, labels_of (truth), labels_of (result), classes);
   });
-  py::dict named = dictOf (metrics.named);
-  named["points"] = metrics.points;
-  named["truth_planes"] = metrics.truth_planes;
-  named["result_planes"] = metrics.result_planes;
-  return named;
+  py::dict by_name = dictOf (metrics.named);
+  by_name["points"] = metrics.points;
+  by_name["truth_planes"] = metrics.truth_planes;
+  by_name["result_planes"] = metrics.result_planes;
+  return by_name;
 }
 
 using Ops = OrientedPointSamplingParameters;
 using Fspf = FastSamplingPlaneFilteringParameters;
 using Kht = KernelHoughTransformParameters;
 
-/** \brief Defines the structs of parameters of all functions, by the function's name.
- */
+/** \brief Defines the structs of parameters: each has the name of its method or of its
+ * function in Python. */
 void
 defineAllParameters (py::module_& module)
 {

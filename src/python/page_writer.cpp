@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes pages as the programs do. An extension of its own, which is loaded only if a
-// page is written.
+// Writes pages as the programs do. This is an extension module of its own, which is
+// loaded only if a page is written.
 #include "interpreter.h"
 #include <cli/errors.h>
 #include <page/page.h>
@@ -13,11 +13,13 @@ namespace py = pybind11;
 
 namespace {
 
-/** \param[in] description what the page says of the planes, as JSON
+/** \brief Writes a page that shows points in the colors of their planes.
+ * \param[in] description what the page says of the planes, as JSON
  * \param[in] points relative to \p shift, of shape (N, 3)
- * \param[in] labels 0 for no plane, else the position of the plane plus 1
+ * \param[in] labels of each point 0 for no plane, else the position of its plane plus 1
  * \param[in] planes number of planes
- * \param[in] max_points of more points a sample is shown */
+ * \param[in] max_points largest number of points on the page; of more, a sample is
+ * shown */
 void
 save (const std::string& file,
       const std::string& description,

@@ -45,10 +45,12 @@ inline const std::tuple words = {
                        {"vertical", Orientation::Vertical},
                        {"other", Orientation::Other}}};
 
-/** \brief Parameters of merging, and of the orientations of merged planes. */
+/** \brief Parameters of merge_planes: those of merging, and those that name
+ * orientations of merged planes. A type of its own, as its parameters have other names
+ * in Python. */
 struct MergePlanesParameters : PlaneDetectorParameters {};
 
-/** \brief Makes one function object of several, whose overloads they become. */
+/** \brief A function object with the calls of several lambdas as its overloads. */
 template <typename... Lambdas>
 struct Overloaded : Lambdas... {
   using Lambdas::operator()...;
@@ -64,7 +66,8 @@ inline const auto visit_orientations = [] (PlaneDetectorParameters& p,
 };
 
 /** \brief Visits the parameters that all detectors have. */
-inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& visit) {
+inline const auto visit_parameters_of_all_detectors = [] (PlaneDetectorParameters& p,
+                                                          const auto& visit) {
   visit ("distance_threshold", p.distance_threshold);
   visit ("min_points", p.min_points);
   visit ("seed", p.seed);
@@ -78,8 +81,8 @@ inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& vis
 
 /** \brief Calls visit (name in Python, member) for each parameter of a struct. Names of
  * members of a nested struct mostly begin with the name of that struct. The overload
- * for PlaneDetectorParameters itself is visit_orientations, as evaluate uses no others.
- */
+ * for PlaneDetectorParameters itself is visit_orientations: evaluate, which has this
+ * struct, uses no other parameters of it. */
 inline const Overloaded visit_parameters = {
     visit_orientations,
     [] (MergePlanesParameters& p, const auto& visit) {
@@ -109,7 +112,7 @@ inline const Overloaded visit_parameters = {
       visit ("surfels_max_thickness", p.surfels.max_thickness);
       visit ("surfels_absorption_noise_factor", p.surfels.absorption_noise_factor);
       visit ("surfels_assignment_noise_factor", p.surfels.assignment_noise_factor);
-      visit_shared (p, visit);
+      visit_parameters_of_all_detectors (p, visit);
     },
     [] (FastSamplingPlaneFilteringParameters& p, const auto& visit) {
       visit ("inner_radius", p.local.inner_radius);
@@ -120,7 +123,7 @@ inline const Overloaded visit_parameters = {
       visit ("max_inliers_per_point", p.local.max_inliers_per_point);
       visit ("max_hypotheses_per_point", p.local.max_hypotheses_per_point);
       visit ("max_visits_per_point", p.local.max_visits_per_point);
-      visit_shared (p, visit);
+      visit_parameters_of_all_detectors (p, visit);
     },
     [] (KernelHoughTransformParameters& p, const auto& visit) {
       visit ("phi_num", p.phi_num);
@@ -132,7 +135,7 @@ inline const Overloaded visit_parameters = {
       visit ("clusters_max_level", p.clusters.max_level);
       visit ("refit_enabled", p.refit.enabled);
       visit ("refit_min_share", p.refit.min_share);
-      visit_shared (p, visit);
+      visit_parameters_of_all_detectors (p, visit);
     },
     [] (PlaneFilter& p, const auto& visit) {
       visit ("orientation", p.orientation);

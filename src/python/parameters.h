@@ -47,7 +47,8 @@ namespace pcl_ops::python {
 
 namespace py = pybind11;
 
-/** \brief Python's annotation for a parameter that is a word of an enumeration. */
+/** \brief Python's annotation for a parameter that is a word of an enumeration:
+ * "Literal['first', 'nearest']" and the like. */
 template <typename WordsOfEnum>
 std::string
 literalOf (const WordsOfEnum& words_of_enum)
@@ -77,9 +78,10 @@ annotationOf ()
     return "Vector";
 }
 
-/** \brief A value for Python, with a vector as a tuple and not an array. numpy releases
- * the GIL to copy an array; if Python ended meanwhile, it would unwind this thread. An
- * optional vector is None by default, and an array if it is set. */
+/** \brief A value for Python, with a vector as a tuple and not an array. To copy an
+ * array numpy releases the GIL; if Python ended meanwhile, the stack of this thread
+ * would be unwound (\ref whileOthersRun). An optional vector is None by default, and an
+ * array if it is set. */
 template <typename T>
 py::object
 pythonValueOf (const T& member)
@@ -90,8 +92,10 @@ pythonValueOf (const T& member)
     return py::cast (member);
 }
 
-/** \brief Defines a struct of parameters, which Python copies, reads and sets. "set"
- * does nothing for an unknown name. */
+/** \brief Defines a struct of parameters as a class of Python. Its method "problem"
+ * returns what is wrong with the values, empty for nothing; "values_and_annotations" a
+ * dict of (value, annotation) by name; "set" sets one parameter, and does nothing for
+ * an unknown name. */
 template <typename P>
 py::class_<P>
 defineParameters (py::module_& module, const char* name_of_struct)
@@ -100,7 +104,7 @@ defineParameters (py::module_& module, const char* name_of_struct)
       .def (py::init<>())
       .def (py::init<const P&>())
       .def ("problem", [] (const P& p) { return validate (p); })
-      .def ("values_and_kinds",
+      .def ("values_and_annotations",
             [] (P& p) {
               py::dict all;
               visit_parameters (p, [&] (const char* key, const auto& member) {

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes stubs beside the modules of the package in a folder: write_stubs.py FOLDER.
 
-They are the modules' own signatures and docstrings, with the named parameters that only
-the extension knows.
+Stubs have the signatures and docstrings of the modules. In place of **parameters they have the
+named parameters, which only the extension knows.
 """
 
 import ast
@@ -14,12 +14,13 @@ import sys
 
 
 def is_private(node):
+    """Whether the name of a node of a syntax tree begins with _ (but is not as __init__)."""
     name = getattr(node, "name", "")
     return name.startswith("_") and not name.endswith("__")
 
 
 def name_parameters(node, function):
-    """Replaces **parameters by the named ones that the function shows."""
+    """Replaces **parameters in the node of a function by those that its signature shows."""
     for parameter in inspect.signature(function).parameters.values():
         if parameter.kind == parameter.KEYWORD_ONLY and isinstance(parameter.annotation, str):
             node.args.kwonlyargs.append(ast.arg(parameter.name, ast.Name(parameter.annotation)))
@@ -29,7 +30,10 @@ def name_parameters(node, function):
 
 
 def stub_of(tree, owner):
-    """Removes the code of a module or class from its tree; owner is the imported object."""
+    """Removes code and private names from the tree of a module or class; returns the tree.
+
+    owner: the imported module or class itself.
+    """
     tree.body = [node for node in tree.body if not is_private(node)]
     for node in tree.body:
         if isinstance(node, ast.ClassDef):

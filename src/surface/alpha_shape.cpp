@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <utility>
+#include <tuple>
 
 namespace pcl_ops::internal {
 
@@ -20,19 +20,29 @@ namespace {
 using Site = boost::polygon::point_data<std::int32_t>;
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-/** \brief Indices of the first and the last point of a side; the inside is to its left.
- */
-using Side = std::pair<std::size_t, std::size_t>;
+/** \brief A side of triangles: the indices of the points where it begins and ends. The
+ * inside is on its left, as seen along the side. */
+struct Side {
+  std::size_t begin, end;
 
-/** \brief Points rounded to integers, whose Voronoi diagram Boost finds without further
- * rounding. */
+  bool
+  operator<(const Side& other) const
+  {
+    return std::tie (begin, end) < std::tie (other.begin, other.end);
+  }
+};
+
+/** \brief Points scaled and rounded to integers, whose Voronoi diagram Boost finds
+ * without further rounding. */
 struct IntegerPoints {
+  /** \brief The integer points, in the order of the points. */
   std::vector<Site> sites;
   /** \brief Integer steps per unit of the points. */
   double scale = 1.0;
 };
 
-/** \brief Scales points to the range of integers from -2^30 to 2^30 and rounds them. */
+/** \brief Scales points to the range of integers from -2^30 to 2^30 and rounds them.
+ * \return no sites if all points are equal */
 IntegerPoints
 integerPointsOf (const PlanarPoints& points)
 {
@@ -54,8 +64,9 @@ integerPointsOf (const PlanarPoints& points)
   return integers;
 }
 
-/** \brief The points around a vertex of the Voronoi diagram, counter-clockwise: the
- * corners of a Delaunay triangle, or more points on one circle. */
+/** \brief The indices of the points around a vertex of the Voronoi diagram,
+ * counter-clockwise: the corners of a Delaunay triangle, or more points on one circle.
+ */
 std::vector<std::size_t>
 pointsAround (const Diagram::vertex_type& vertex)
 {
@@ -70,7 +81,9 @@ pointsAround (const Diagram::vertex_type& vertex)
 }
 
 /** \brief The sides that only one triangle has, among the triangles whose circumscribed
- * circle has a radius of alpha or less; ascending. */
+ * circle has a radius of alpha or less; ascending. They run counter-clockwise around
+ * their triangle, so that a common side of two triangles is there in both directions.
+ * \param[in] alpha in the unit of the points before they were scaled */
 std::vector<Side>
 outerSides (const IntegerPoints& integers, double alpha)
 {
@@ -85,57 +98,96 @@ outerSides (const IntegerPoints& integers, double alpha)
     if (radius > alpha * integers.scale)
       continue;
     for (std::size_t i = 0; i < points.size(); ++i)
-      sides.emplace_back (points[i], points[(i + 1) % points.size()]);
+      sides.push_back ({points[i], points[(i + 1) % points.size()]});
   }
   std::sort (sides.begin(), sides.end());
   std::vector<Side> outer;
   for (const Side& side : sides)
-    if (!std::binary_search (
-            sides.begin(), sides.end(), Side (side.second, side.first)))
+    if (!std::binary_search (sides.begin(), sides.end(), Side{side.end, side.begin}))
       outer.push_back (side);
   return outer;
 }
+
+/** \brief A path along sides, through each point at most once. */
+class Path {
+public:
+  explicit Path (std::size_t points) : index_in_path_ (points, not_in_path) {}
+
+  bool
+  empty () const
+  {
+    return path_.empty();
+  }
+
+  /** \brief The last point. */
+  std::size_t
+  back () const
+  {
+    return path_.back();
+  }
+
+  bool
+  contains (std::size_t point) const
+  {
+    return index_in_path_[point] != not_in_path;
+  }
+
+  void
+  append (std::size_t point)
+  {
+    index_in_path_[point] = path_.size();
+    path_.push_back (point);
+  }
+
+  /** \brief Removes the part of the path from one of its points on, and returns it. */
+  std::vector<std::size_t>
+  cutOffFrom (std::size_t point)
+  {
+    const auto first =
+        path_.begin() + static_cast<std::ptrdiff_t> (index_in_path_[point]);
+    const std::vector<std::size_t> removed (first, path_.end());
+    path_.erase (first, path_.end());
+    for (const std::size_t removed_point : removed)
+      index_in_path_[removed_point] = not_in_path;
+    return removed;
+  }
+
+private:
+  static constexpr std::size_t not_in_path = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> path_;          // indices of points
+  std::vector<std::size_t> index_in_path_; // of each point
+};
 
 } // namespace
 
 std::vector<PlanarPoints>
 alphaShapeRings (const PlanarPoints& points, double alpha)
 {
-  constexpr std::size_t not_in_path = std::numeric_limits<std::size_t>::max();
-  const std::vector<Side> sides = outerSides (integerPointsOf (points), alpha);
-  // The sides that are not yet in a ring: from first to last point.
-  std::multimap<std::size_t, std::size_t> sides_left (sides.begin(), sides.end());
-  std::vector<std::size_t> position_in_path (points.size(), not_in_path);
-  std::vector<std::size_t> path;
+  // The ends of the sides that are not yet in a ring, by where they begin.
+  std::multimap<std::size_t, std::size_t> unused_sides;
+  for (const Side& side : outerSides (integerPointsOf (points), alpha))
+    unused_sides.emplace (side.begin, side.end);
+  Path path (points.size());
   std::vector<PlanarPoints> rings;
-  // As many sides lead to a point as from it: a path always comes back to one of its
+  // As many sides end at a point as begin there: a path always comes back to one of its
   // points and closes a ring.
-  while (!sides_left.empty()) {
-    if (path.empty()) {
-      path.push_back (sides_left.begin()->first);
-      position_in_path[path.back()] = 0;
-    }
-    const auto side = sides_left.find (path.back());
+  while (!unused_sides.empty()) {
+    if (path.empty())
+      path.append (unused_sides.begin()->first);
+    const auto side = unused_sides.find (path.back());
     const std::size_t point = side->second;
-    sides_left.erase (side);
-    if (position_in_path[point] == not_in_path) {
-      position_in_path[point] = path.size();
-      path.push_back (point);
+    unused_sides.erase (side);
+    if (!path.contains (point)) {
+      path.append (point);
       continue;
     }
     PlanarPoints& ring = rings.emplace_back();
-    const std::size_t first_of_ring = position_in_path[point];
-    for (std::size_t i = first_of_ring; i < path.size(); ++i) {
-      ring.push_back (points[path[i]]);
-      position_in_path[path[i]] = not_in_path;
-    }
-    path.resize (first_of_ring);
-    // The path goes on from this point, unless it is empty and the point has no more
-    // sides.
-    if (sides_left.count (point) > 0 || !path.empty()) {
-      position_in_path[point] = path.size();
-      path.push_back (point);
-    }
+    for (const std::size_t corner : path.cutOffFrom (point))
+      ring.push_back (points[corner]);
+    // The path goes on from this point, unless it is empty and no more sides begin at
+    // the point.
+    if (unused_sides.count (point) > 0 || !path.empty())
+      path.append (point);
   }
   return rings;
 }

@@ -12,8 +12,8 @@ namespace pcl_ops::internal {
  * triangulation whose circumscribed circle has a radius of at most alpha.
  * \param[in] points finite points, in any order
  * \param[in] alpha above 0, in the unit of the points
- * \return outer rings and rings around holes, in any order; no ring passes a point
- * twice */
+ * \return outer rings, counter-clockwise, and rings around holes, clockwise, in any
+ * order; no ring passes a point twice */
 std::vector<PlanarPoints>
 alphaShapeRings (const PlanarPoints& points, double alpha);
 

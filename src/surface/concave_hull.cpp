@@ -17,7 +17,7 @@ namespace {
 
 namespace geometry = boost::geometry;
 
-/** \brief The points in an outline or on it. */
+/** \brief The points inside an outline or on it. */
 PlanarPoints
 pointsWithin (const PlanarPoints& outline, const PlanarPoints& points)
 {
@@ -40,11 +40,11 @@ using Cell = std::pair<std::int64_t, std::int64_t>;
 /** \brief The indices of the points in each cell. */
 using Cells = std::map<Cell, std::vector<std::size_t>>;
 
-/** \brief Thins the points inside: keeps one point of each square cell whose eight
- * neighbor cells all have points, and all points of the other cells, near the rim.
+/** \brief Thins the points far from the rim: keeps one point of each square cell whose
+ * eight neighbor cells all have points, and all points of the other cells.
  * \param[in] edge of a cell, in the unit of the points */
 WeightedPoints
-thinInside (const PlanarPoints& points, double edge)
+thinnedInside (const PlanarPoints& points, double edge)
 {
   Cells cells;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -66,6 +66,7 @@ thinInside (const PlanarPoints& points, double edge)
   return thinned;
 }
 
+/** \brief The sum of the weights of the points inside a ring or on it. */
 std::size_t
 weightWithin (const Ring& ring, const WeightedPoints& points)
 {
@@ -76,7 +77,7 @@ weightWithin (const Ring& ring, const WeightedPoints& points)
   return weight;
 }
 
-/** \brief All rings of the alpha shape, counter-clockwise, by falling area. */
+/** \brief All rings of the alpha shape, counter-clockwise, by descending area. */
 std::vector<Ring>
 ringsOf (const PlanarPoints& points, double alpha)
 {
@@ -102,9 +103,9 @@ cornersOf (const Ring& ring, double tolerance)
   return corners;
 }
 
-/** \brief The first ring as outline, and the rings inside it as its holes; a ring
- * inside a hole is left out.
- * \param[in] rings counter-clockwise, by falling area; at least one
+/** \brief The first ring as outline, and the rings inside it as its holes, clockwise;
+ * rings inside a hole are left out.
+ * \param[in] rings counter-clockwise, by descending area; at least one
  * \param[in] min_hole_area in the squared unit of the points
  * \param[in] tolerance of the simplification of rings */
 PlanarRings
@@ -112,12 +113,12 @@ withHoles (const std::vector<Ring>& rings, double min_hole_area, double toleranc
 {
   std::vector<Ring> holes;
   for (auto ring = rings.begin() + 1; ring != rings.end(); ++ring) {
-    const auto holds = [&] (const Ring& other) {
+    const auto liesWithin = [&] (const Ring& other) {
       return geometry::covered_by (*ring, other);
     };
     const bool is_hole = geometry::area (*ring) >= min_hole_area &&
-                         geometry::is_valid (*ring) && holds (rings.front()) &&
-                         std::none_of (holes.begin(), holes.end(), holds);
+                         geometry::is_valid (*ring) && liesWithin (rings.front()) &&
+                         std::none_of (holes.begin(), holes.end(), liesWithin);
     if (is_hole)
       holes.push_back (*ring);
   }
@@ -129,9 +130,9 @@ withHoles (const std::vector<Ring>& rings, double min_hole_area, double toleranc
   return outline;
 }
 
-/** \brief Number of different points. Repeated points, as of rounded coordinates, say
+/** \brief Number of distinct points: repeated points, as of rounded coordinates, tell
  * nothing about the spacing.
- * \param[in] points sorted, so that equal ones follow each other */
+ * \param[in] points sorted, so that equal points follow each other */
 std::size_t
 countDistinctPoints (PlanarPoints points)
 {
@@ -146,54 +147,57 @@ scaled (double factor, PlanarPoints points)
   return points;
 }
 
-/** \brief Largest share of points that the convex hull leaves out as strays. */
+/** \brief Largest share of all points that the convex hull leaves outside as strays. */
 constexpr double max_outside_convex = 0.005;
 
-/** \brief Smallest share of all points that an outline has to hold. */
+/** \brief Smallest share of all points that an outline must have inside. */
 constexpr double min_inside = 0.99;
 
 /** \brief The alpha that is tried first, in units of the spacing of the points. */
 constexpr double spacings_per_alpha = 6.0;
 
-/** \brief Cells along a length of alpha when points are thinned. */
+/** \brief Number of cells along a length of alpha when points are thinned. */
 constexpr double cells_per_alpha = 2.0;
 
-/** \brief Smallest edge of a cell; scaled coordinates are 10^6 or less. */
+/** \brief Smallest edge of a cell. Scaled coordinates are 10^6 or less, so that the
+ * numbers of cells fit into 64 bits whatever alpha is given. */
 constexpr double min_edge_of_cell = 1e-9;
 
-/** \brief While the outline holds too few points, alpha grows by this factor; after so
- * many attempts the convex hull is the outline. */
+/** \brief While the outline has too few points inside, alpha is multiplied by
+ * growth_of_alpha; after max_attempts outlines the convex hull is taken instead. */
 constexpr double growth_of_alpha = 1.5;
 constexpr int max_attempts = 8;
 
-/** \brief Corners within this many spacings of a line between others are left out. */
-constexpr double straight = 1e-3;
+/** \brief A corner is left out if it is so near to a line between other corners, in
+ * units of the spacing of the points. */
+constexpr double spacings_from_line = 1e-3;
 
 /** \brief The concave outline of points that were sorted, and scaled by \ref unitScale.
- * \param[in] alpha not above 0: it follows from the spacing of the points */
+ * \param[in] alpha in the unit of the scaled points; if it is not above 0, the spacing
+ * of the points determines it
+ * \return empty if the points span no area */
 PlanarRings
 outlineAround (const PlanarPoints& points, double alpha)
 {
   const PlanarPoints convex = convexHull (points, max_outside_convex);
   if (convex.empty())
     return {};
-  const auto number = static_cast<double> (points.size());
+  const auto count = static_cast<double> (points.size());
   const PlanarPoints inside = pointsWithin (convex, points);
   const double spacing =
       std::sqrt (areaOf (convex) / static_cast<double> (countDistinctPoints (inside)));
-  double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
-  // The least edge keeps the numbers of cells within 64 bits for any given radius.
-  const WeightedPoints thinned =
-      thinInside (inside, std::max (radius / cells_per_alpha, min_edge_of_cell));
-  const auto holds_enough = [&] (const Ring& ring) {
-    return static_cast<double> (weightWithin (ring, thinned)) >= min_inside * number;
+  double tried_alpha = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
+  const WeightedPoints thinned = thinnedInside (
+      inside, std::max (tried_alpha / cells_per_alpha, min_edge_of_cell));
+  const auto hasEnoughInside = [&] (const Ring& ring) {
+    return static_cast<double> (weightWithin (ring, thinned)) >= min_inside * count;
   };
   for (int attempt = 0; attempt < max_attempts; ++attempt) {
-    const std::vector<Ring> rings = ringsOf (thinned.points, radius);
+    const std::vector<Ring> rings = ringsOf (thinned.points, tried_alpha);
     if (!rings.empty() && geometry::is_valid (rings.front()) &&
-        holds_enough (rings.front()))
-      return withHoles (rings, radius * radius, straight * spacing);
-    radius *= growth_of_alpha;
+        hasEnoughInside (rings.front()))
+      return withHoles (rings, tried_alpha * tried_alpha, spacings_from_line * spacing);
+    tried_alpha *= growth_of_alpha;
   }
   return {convex};
 }
@@ -204,7 +208,7 @@ PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha)
 {
   PlanarPoints finite = finiteOf (points);
-  // So that the outline does not depend on the order of the points.
+  // Sort them, so that the outline does not depend on the order of the points.
   std::sort (finite.begin(), finite.end(), [] (const auto& a, const auto& b) {
     return std::make_pair (a.x(), a.y()) < std::make_pair (b.x(), b.y());
   });

@@ -15,7 +15,8 @@ namespace {
 
 using namespace internal;
 
-/** \brief A ring, by the indices of its corners in a list of corners. */
+/** \brief A counter-clockwise ring, by the indices of its corners in a list of corners.
+ * In this file a position is an index into the ring itself. */
 using CornerIndices = std::vector<std::size_t>;
 
 /** \brief Where a ray meets a ring: a side, by the position of its first corner in the
@@ -25,7 +26,7 @@ struct Intersection {
   double x = std::numeric_limits<double>::infinity();
 };
 
-/** \brief Where a ray to the right first meets a ring around its start. */
+/** \brief Where a ray to the right, along +x, first meets a ring around its start. */
 Intersection
 firstIntersection (const Eigen::Vector2d& from,
                    const CornerIndices& ring,
@@ -33,21 +34,21 @@ firstIntersection (const Eigen::Vector2d& from,
 {
   Intersection nearest;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    // The ring is counter-clockwise: a side where the ray leaves it runs upwards.
+    // The ring is counter-clockwise: a side where the ray leaves the ring runs upwards.
     const Eigen::Vector2d& low = corners[ring[i]];
     const Eigen::Vector2d& high = corners[ring[(i + 1) % ring.size()]];
     if (!(low.y() <= from.y() && high.y() > from.y()))
       continue;
-    const double share = (from.y() - low.y()) / (high.y() - low.y());
-    const double x = low.x() + share * (high.x() - low.x());
+    const double share_of_side = (from.y() - low.y()) / (high.y() - low.y());
+    const double x = low.x() + share_of_side * (high.x() - low.x());
     if (x >= from.x() && x < nearest.x)
       nearest = {i, x};
   }
   return nearest;
 }
 
-/** \brief Whether the segment from a corner of a ring to a point starts inside the
- * ring. */
+/** \brief Whether the segment from a corner of a ring to a point starts inside the ring
+ * or along one of its sides. */
 bool
 leadsInside (const CornerIndices& ring,
              std::size_t position,
@@ -58,33 +59,34 @@ leadsInside (const CornerIndices& ring,
   const Eigen::Vector2d& next = corners[ring[(position + 1) % ring.size()]];
   const Eigen::Vector2d& previous =
       corners[ring[(position + ring.size() - 1) % ring.size()]];
-  const bool is_left_of_next = twiceTheArea (corner, next, to) >= 0.0;
-  const bool is_right_of_last = twiceTheArea (corner, previous, to) <= 0.0;
+  const bool is_left_of_next_side = twiceTheArea (corner, next, to) >= 0.0;
+  const bool is_left_of_previous_side = twiceTheArea (corner, previous, to) <= 0.0;
   const bool is_convex = twiceTheArea (previous, corner, next) >= 0.0;
-  return is_convex ? is_left_of_next && is_right_of_last
-                   : is_left_of_next || is_right_of_last;
+  return is_convex ? is_left_of_next_side && is_left_of_previous_side
+                   : is_left_of_next_side || is_left_of_previous_side;
 }
 
 /** \brief The position of a corner of the ring that is visible from a point inside. A
- * ray to the right hits a side; its end with the larger x is visible, unless corners
- * lie in the triangle in between: then the corner at the smallest angle to the ray is
- * visible. */
+ * ray to the right hits a side of the ring. The end of this side with the larger x is
+ * visible, unless corners lie in the triangle of the point, the hit and this end: then
+ * the corner at the smallest angle to the ray is visible. */
 std::size_t
 visibleFrom (const Eigen::Vector2d& from,
              const CornerIndices& ring,
              const PlanarPoints& corners)
 {
-  const auto [side, x] = firstIntersection (from, ring, corners);
-  const Eigen::Vector2d on_side (x, from.y());
-  const std::size_t next = (side + 1) % ring.size();
-  std::size_t visible = corners[ring[side]].x() > corners[ring[next]].x() ? side : next;
+  const Intersection hit = firstIntersection (from, ring, corners);
+  const Eigen::Vector2d hit_point (hit.x, from.y());
+  const std::size_t next = (hit.side + 1) % ring.size();
+  std::size_t visible =
+      corners[ring[hit.side]].x() > corners[ring[next]].x() ? hit.side : next;
   const Eigen::Vector2d& end = corners[ring[visible]];
   double smallest_slope = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d& corner = corners[ring[i]];
     const Eigen::Vector2d offset = corner - from;
     const double slope = std::abs (offset.y()) / offset.x();
-    const bool is_candidate = corner == end || isWithin (corner, from, on_side, end);
+    const bool is_candidate = corner == end || isWithin (corner, from, hit_point, end);
     if (!is_candidate || !(offset.x() > 0.0) || !leadsInside (ring, i, from, corners))
       continue;
     const bool is_nearer =
@@ -108,22 +110,24 @@ joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
   CornerIndices ring (rings.front().size());
   std::iota (ring.begin(), ring.end(), 0);
   std::vector<CornerIndices> holes;
-  std::size_t first = ring.size();
-  const auto is_left = [&] (std::size_t a, std::size_t b) {
+  std::size_t first_corner = ring.size(); // of the next hole
+  const auto hasSmallerX = [&] (std::size_t a, std::size_t b) {
     return corners[a].x() < corners[b].x();
   };
   for (std::size_t r = 1; r < rings.size(); ++r) {
     CornerIndices hole (rings[r].size());
-    std::iota (hole.begin(), hole.end(), first);
-    first += rings[r].size();
-    // The hole starts at its rightmost corner, where the bridge begins.
-    std::rotate (
-        hole.begin(), std::max_element (hole.begin(), hole.end(), is_left), hole.end());
+    std::iota (hole.begin(), hole.end(), first_corner);
+    first_corner += rings[r].size();
+    // Let the list of the hole start at its rightmost corner, where the bridge begins.
+    std::rotate (hole.begin(),
+                 std::max_element (hole.begin(), hole.end(), hasSmallerX),
+                 hole.end());
     holes.push_back (hole);
   }
-  // From right to left: so a bridge crosses no hole that is not yet part of the ring.
+  // Join holes from right to left: so a bridge crosses no hole that is not yet part of
+  // the ring.
   std::stable_sort (holes.begin(), holes.end(), [&] (const auto& a, const auto& b) {
-    return is_left (b.front(), a.front());
+    return hasSmallerX (b.front(), a.front());
   });
   for (CornerIndices& hole : holes) {
     const std::size_t visible = visibleFrom (corners[hole.front()], ring, corners);
@@ -143,8 +147,8 @@ triangleAt (const CornerIndices& ring, std::size_t position)
       ring[(position + size - 1) % size], ring[position], ring[(position + 1) % size]};
 }
 
-/** \brief Whether the corner in the middle of a triangle of the ring is convex and no
- * other corner lies in the triangle. */
+/** \brief Whether the middle one of three successive corners of the ring is convex, and
+ * their triangle contains no other corner. */
 bool
 isEar (const Triangle& triangle, const CornerIndices& ring, const PlanarPoints& corners)
 {
@@ -155,20 +159,20 @@ isEar (const Triangle& triangle, const CornerIndices& ring, const PlanarPoints& 
     return false;
   return std::none_of (ring.begin(), ring.end(), [&] (std::size_t other) {
     const Eigen::Vector2d& corner = corners[other];
-    // Corners with a bridge are repeated.
+    // Corners with a bridge are repeated: compare positions, not indices.
     return corner != a && corner != b && corner != c && isWithin (corner, a, b, c);
   });
 }
 
-/** \brief The first position in the ring, from \p from on and around, whose triangle
- * passes a test; nothing if no triangle does. */
+/** \brief The first position in the ring whose triangle passes a test, searched once
+ * around the ring from \p from on; nothing if no triangle passes. */
 template <typename Test>
 std::optional<std::size_t>
-nextPosition (const CornerIndices& ring, std::size_t from, Test&& holds)
+nextPosition (const CornerIndices& ring, std::size_t from, Test&& passes)
 {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::size_t position = (from + i) % ring.size();
-    if (holds (triangleAt (ring, position)))
+    if (passes (triangleAt (ring, position)))
       return position;
   }
   return {};
@@ -176,8 +180,9 @@ nextPosition (const CornerIndices& ring, std::size_t from, Test&& holds)
 
 /** \brief Cuts a ring into triangles by clipping its ears, convex corners whose
  * triangle has no other corner in it (Meisters, Polygons have ears, 1975). The ring may
- * touch itself, as a ring with bridges does: VTK's triangle filter refuses such rings,
- * its contour triangulator and Delaunay filter lose parts of outlines with many holes.
+ * touch itself, as a ring with bridges does. VTK's triangle filter refuses such rings,
+ * and VTK's contour triangulator and Delaunay filter lose parts of outlines with many
+ * holes.
  * \return counter-clockwise triangles; not all of them if the ring runs out of ears */
 std::vector<Triangle>
 clipEars (CornerIndices ring, const PlanarPoints& corners)
@@ -186,11 +191,12 @@ clipEars (CornerIndices ring, const PlanarPoints& corners)
   std::vector<Triangle> triangles;
   std::size_t position = 0;
   while (ring.size() >= corners_of_triangle) {
-    const auto ear = nextPosition (ring, position, [&] (const Triangle& triangle) {
-      return isEar (triangle, ring, corners);
-    });
+    const std::optional<std::size_t> ear =
+        nextPosition (ring, position, [&] (const Triangle& triangle) {
+          return isEar (triangle, ring, corners);
+        });
     // A corner in line with its neighbors covers no area, but may block ears.
-    const auto clipped =
+    const std::optional<std::size_t> clipped =
         ear ? ear : nextPosition (ring, position, [&] (const Triangle& triangle) {
           const auto& [a, b, c] = triangle;
           return twiceTheArea (corners[a], corners[b], corners[c]) == 0.0;
@@ -200,7 +206,8 @@ clipEars (CornerIndices ring, const PlanarPoints& corners)
     if (ear)
       triangles.push_back (triangleAt (ring, *ear));
     ring.erase (ring.begin() + *clipped);
-    position = *clipped + 1; // every other ear: no fans of slivers
+    position =
+        *clipped + 1; // skip a corner: else all triangles would meet in one corner
   }
   return triangles;
 }
@@ -210,7 +217,8 @@ clipEars (CornerIndices ring, const PlanarPoints& corners)
 std::vector<Triangle>
 triangulate (const PlanarRings& rings)
 {
-  constexpr double tolerance = 1e-6; // share of the area that triangles may miss
+  // Largest difference of the areas of triangles and outline, as a share of the latter.
+  constexpr double tolerance = 1e-6;
   if (rings.empty() || rings.front().empty())
     return {};
   PlanarRings nonempty;

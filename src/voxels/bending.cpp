@@ -15,14 +15,16 @@ namespace {
 
 using Terms = Eigen::Matrix<double, 6, 1>;
 
-constexpr int first_order_terms = 3;  // 1, u, v
-constexpr int second_order_terms = 6; // and u^2, u v, v^2
+// Numbers of terms of the flat fit and of the curved fit.
+constexpr int terms_of_flat = 3;   // 1, u, v
+constexpr int terms_of_curved = 6; // and u^2, u v, v^2
 
-// Normal equations A x = b of the fit of heights [m] by the six terms; u and v are in
-// units of the half extents.
+// Normal equations A x = b of the fit of heights [m] by the six terms, with A = matrix
+// and b = right_side; u and v are in units of the half extents.
 struct NormalEquations {
   Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Terms right_side = Terms::Zero();
+  /** \brief Weighted sum of the squared heights [m^2]. */
   double squared_heights = 0.0;
 
   void
@@ -35,21 +37,21 @@ struct NormalEquations {
     squared_heights += weight * height * height;
   }
 
-  /** \brief Residual sum of squares of the fit by the first \p number terms [m^2]. */
-  template <int number>
+  /** \brief Residual sum of squares of the fit by the first \p terms terms [m^2]. */
+  template <int terms>
   double
-  residual () const
+  residualSumOfSquares () const
   {
-    const Eigen::Matrix<double, number, number> a =
-        matrix.topLeftCorner<number, number>();
-    const Eigen::Matrix<double, number, 1> b = right_side.head<number>();
-    const Eigen::Matrix<double, number, 1> x = a.ldlt().solve (b);
+    const Eigen::Matrix<double, terms, terms> a = matrix.topLeftCorner<terms, terms>();
+    const Eigen::Matrix<double, terms, 1> b = right_side.head<terms>();
+    const Eigen::Matrix<double, terms, 1> x = a.ldlt().solve (b);
     return std::max (0.0, squared_heights - b.dot (x));
   }
 };
 
-// The principal axes u and v in the plane of a patch. The half extents [m] are those of
-// an evenly covered rectangle with the moments of the patch.
+// The principal axes of a patch in its plane: u along its length, v along its width.
+// The half extents [m] are those of an evenly covered rectangle with the moments of the
+// patch.
 struct PatchAxes {
   Eigen::Vector3d u, v;
   double half_u, half_v;
@@ -87,17 +89,17 @@ equationsOf (const std::vector<Moments>& moments,
   return equations;
 }
 
-// Adjusted R^2 of the second-order terms: residual variances have as many degrees of
-// freedom as there are voxels more than terms.
+// Adjusted R^2 of the second-order terms. The degrees of freedom of a residual variance
+// are the number of voxels minus the number of terms.
 double
-explainedShare (const NormalEquations& equations, double voxels)
+explainedShare (const NormalEquations& equations, double voxel_count)
 {
-  const double flat = equations.residual<first_order_terms>();
-  const double curved = equations.residual<second_order_terms>();
-  if (!(flat > 0.0))
+  const double flat_squares = equations.residualSumOfSquares<terms_of_flat>();
+  const double curved_squares = equations.residualSumOfSquares<terms_of_curved>();
+  if (!(flat_squares > 0.0))
     return 0.0;
-  return 1.0 - (curved / (voxels - second_order_terms)) /
-                   (flat / (voxels - first_order_terms));
+  return 1.0 - (curved_squares / (voxel_count - terms_of_curved)) /
+                   (flat_squares / (voxel_count - terms_of_flat));
 }
 
 } // namespace
@@ -106,21 +108,22 @@ Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
 {
   Bending bending;
-  constexpr std::size_t min_voxels = 8;
+  constexpr std::size_t min_voxels = 8; // two more than terms_of_curved
   if (voxels.size() < min_voxels)
     return bending;
   const PatchAxes axes = axesOf (momentsOf (grid.moments, voxels), fit.plane);
   const NormalEquations equations = equationsOf (grid.moments, voxels, fit, axes);
-  bending.explained = explainedShare (equations, static_cast<double> (voxels.size()));
+  bending.explained_share =
+      explainedShare (equations, static_cast<double> (voxels.size()));
   const Terms coefficients = equations.matrix.ldlt().solve (equations.right_side);
   const double u_squared = coefficients[3];
   const double half_mixed = 0.5 * coefficients[4];
   const double v_squared = coefficients[5];
-  Eigen::Matrix2d second_order;
-  second_order << u_squared, half_mixed, half_mixed, v_squared;
+  Eigen::Matrix2d quadratic_form;
+  quadratic_form << u_squared, half_mixed, half_mixed, v_squared;
   // Eigenvalues are the second-order heights [m] at the half extents along the axes.
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bends;
-  bends.computeDirect (second_order); // compute() takes four seconds to compile
+  bends.computeDirect (quadratic_form); // compute() takes four seconds to compile
   const int largest =
       std::abs (bends.eigenvalues()[0]) > std::abs (bends.eigenvalues()[1]) ? 0 : 1;
   // In units of the half extents.
@@ -135,8 +138,8 @@ bool
 isCurved (const Bending& bending)
 {
   constexpr double smallest_explained = 0.4;
-  constexpr double smallest_slope = 0.01; // amplitude over half extent
-  return bending.explained > smallest_explained &&
+  constexpr double smallest_slope = 0.01; // of amplitude over half extent
+  return bending.explained_share > smallest_explained &&
          bending.amplitude > smallest_slope * bending.half_extent;
 }
 

@@ -13,7 +13,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Large, so that chunks are few: each one sums moments of all planes.
+// Large, so that there are few chunks: each chunk has a list of moments of all planes.
 constexpr std::size_t voxels_per_chunk = 4096;
 
 // The input of the assignment, and the labels that it writes.
@@ -26,7 +26,8 @@ struct Assignment {
   bool tests_every_point;
   Labels& labels;
 
-  /** \brief Finds the planes of a voxel and its neighbors, each once. */
+  /** \brief Replaces \p around by the planes of a voxel and its neighbors, each once.
+   */
   void
   findPlanesAround (std::size_t voxel, Labels& around) const
   {
@@ -35,17 +36,21 @@ struct Assignment {
       addOnce (planes.plane_of_voxel[neighbor], around);
   }
 
-  /** \brief Whether a voxel goes to a plane as a whole: noise explains the rms distance
-   * of its points to the plane, and no threshold asks to test each point. */
+  /** \brief Whether a voxel goes to a plane as a whole: the rms distance of its points
+   * to the plane is below like_noise_ratio (1.5) times the plane's noise, and no
+   * threshold asks to test each point. */
   bool
   isWhollyOn (std::int32_t plane, std::size_t voxel) const
   {
-    const double largest_distance = like_noise * planes.noise[plane];
+    const double largest_rms = like_noise_ratio * planes.noise[plane];
     return !tests_every_point &&
            meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) <
-               largest_distance * largest_distance;
+               largest_rms * largest_rms;
   }
 
+  /** \brief Labels the points of a voxel.
+   * \param[in] around the planes of the voxel and its neighbors
+   * \param[in,out] moments of each plane, to which the points are added */
   void
   assign (std::size_t voxel, const Labels& around, std::vector<Moments>& moments) const
   {
@@ -64,6 +69,8 @@ struct Assignment {
   }
 };
 
+// The band of each plane: as wide as the smaller of noise_factor times its noise and
+// largest_distance [m].
 std::vector<PlaneBand>
 bandsOf (const BoundedPlanes& planes,
          double smallest_noise,
@@ -98,8 +105,8 @@ assignToBoundedPlanes (const Coordinates& points,
       bandsOf (planes, smallestNoise (grid), largest_distance, noise_factor);
   const Assignment assignment{
       points, grid, planes, bands, distance_threshold.has_value(), assigned.labels};
-  const auto moments_of_chunks = parallelChunks (
-      threads, grid.size(), voxels_per_chunk, [&] (auto begin, auto end) {
+  const std::vector<std::vector<Moments>> moments_of_chunks = parallelPieces (
+      threads, grid.size(), voxels_per_chunk, [&] (std::size_t begin, std::size_t end) {
         std::vector<Moments> moments (planes.size());
         Labels around;
         for (std::size_t voxel = begin; voxel < end; ++voxel)
@@ -111,9 +118,9 @@ assignToBoundedPlanes (const Coordinates& points,
         return moments;
       });
   assigned.moments.resize (planes.size());
-  for (const std::vector<Moments>& of_chunk : moments_of_chunks)
-    for (std::size_t p = 0; p < of_chunk.size(); ++p)
-      assigned.moments[p].addAligned (of_chunk[p]);
+  for (const std::vector<Moments>& moments : moments_of_chunks)
+    for (std::size_t p = 0; p < moments.size(); ++p)
+      assigned.moments[p].addAligned (moments[p]);
 }
 
 } // namespace pcl_ops::internal

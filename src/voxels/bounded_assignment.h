@@ -14,7 +14,8 @@ namespace pcl_ops::internal {
  * \param[in] distance_threshold largest distance of a point to its plane [m]. If it is
  * not given, the noise alone limits the distance, and a voxel that fits the only plane
  * around it gives all its points to this plane
- * \param[in] noise_factor largest distance in units of the plane's noise
+ * \param[in] noise_factor largest distance of a point to its plane in units of the
+ * plane's noise
  * \param[in] is_left_out not 0 for voxels whose points keep their labels; empty: none
  * \param[in,out] assigned its labels must have an entry for each point. They are
  * overwritten, except those of points in voxels that are left out or have no plane

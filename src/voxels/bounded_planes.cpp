@@ -52,23 +52,23 @@ void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
   const Labels& plane_of = planes.plane_of_voxel;
-  // Of each voxel on a plane the mean over its points [m^2].
-  std::vector<float> squared_distances (grid.size());
-  forEach (threads, grid.size(), [&] (std::size_t i) {
-    if (plane_of[i] != no_plane)
-      squared_distances[i] = static_cast<float> (
-          meanSquaredDistance (grid.moments[i], planes.planes[plane_of[i]]));
+  // For each voxel on a plane the mean squared distance of its points to it [m^2].
+  std::vector<float> mean_squares (grid.size());
+  forEach (threads, grid.size(), [&] (std::size_t voxel) {
+    if (plane_of[voxel] != no_plane)
+      mean_squares[voxel] = static_cast<float> (
+          meanSquaredDistance (grid.moments[voxel], planes.planes[plane_of[voxel]]));
   });
-  std::vector<std::vector<float>> of_each_plane (planes.size());
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    if (plane_of[i] != no_plane)
-      of_each_plane[plane_of[i]].push_back (squared_distances[i]);
+  std::vector<std::vector<float>> mean_squares_of_plane (planes.size());
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
+    if (plane_of[voxel] != no_plane)
+      mean_squares_of_plane[plane_of[voxel]].push_back (mean_squares[voxel]);
   planes.noise.resize (planes.size(), smallestNoise (grid));
   for (std::size_t p = 0; p < planes.size(); ++p)
-    if (!of_each_plane[p].empty())
-      planes.noise[p] =
-          std::max (std::sqrt (static_cast<double> (medianOf (of_each_plane[p]))),
-                    smallestNoise (grid));
+    if (!mean_squares_of_plane[p].empty()) {
+      const double mean_square = medianOf (mean_squares_of_plane[p]);
+      planes.noise[p] = std::max (std::sqrt (mean_square), smallestNoise (grid));
+    }
 }
 
 } // namespace pcl_ops::internal

@@ -16,7 +16,7 @@ struct BoundedPlanes {
   std::vector<Plane> planes;
   /** \brief Noise of each plane [m], by \ref measureNoise. */
   std::vector<double> noise;
-  /** \brief Plane of each voxel, or no_plane. */
+  /** \brief For each voxel the index of its plane in \ref planes, or no_plane. */
   Labels plane_of_voxel;
   /** \brief Moments of the points that each plane has outside these voxels. The list
    * may be shorter than \ref planes: planes after its end have no points elsewhere. */
@@ -33,7 +33,8 @@ struct BoundedPlanes {
 std::vector<Moments>
 momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes);
 
-/** \brief Fits each plane to its points in these voxels and elsewhere. */
+/** \brief Fits each plane to its points in these voxels and elsewhere. A plane whose
+ * points span no plane stays as it is. */
 void
 refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes);
 
@@ -44,11 +45,12 @@ refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes);
 void
 renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes);
 
-/** \brief Fewest points of a voxel whose scatter about a plane of its own tells its
- * noise. */
+/** \brief Fewest points of a voxel that measure noise by their rms distance to a plane
+ * fitted to these points alone. */
 inline constexpr double min_points_of_noise = 16.0;
 
-/** \brief Lower bound of the noise measured in a grid [m]. */
+/** \brief Lower bound of the noise measured in a grid [m]. Limits in units of the noise
+ * would be 0 for exact points. */
 inline double
 smallestNoise (const VoxelGrid& grid)
 {

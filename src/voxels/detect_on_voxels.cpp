@@ -23,9 +23,10 @@ namespace {
 
 using Parameters = OrientedPointSamplingParameters;
 
-// The neighborhood of a normal holds at least k divided by this factor: small CAD
-// models have no more points around a voxel. A voxel that has, with its neighbors,
-// fewer than k times the factor is sparse.
+// Limits for the number of points in a voxel and its neighbors, by the parameter k:
+// with k / neighborhood_factor points or more they have a normal, as small CAD models
+// have no more points there; with fewer than k * neighborhood_factor the voxel is
+// sparse.
 constexpr double neighborhood_factor = 2.0;
 
 VoxelLevels
@@ -53,6 +54,7 @@ surfelsOf (const VoxelGrid& grid,
 }
 
 // Finds planes in voxels that have none, then grows all planes.
+// \param[in] max_thickness as for extractSurfelPlanes
 void
 findPlanes (const VoxelGrid& grid,
             const Parameters& parameters,
@@ -76,7 +78,7 @@ MergingParameters
 mergingByNoise (MergingParameters merging)
 {
   merging.distance_threshold = merging.distance_threshold.value_or (0.0);
-  merging.noise_factor = merging.noise_factor.value_or (like_noise);
+  merging.noise_factor = merging.noise_factor.value_or (like_noise_ratio);
   return merging;
 }
 
@@ -86,20 +88,22 @@ mergedPlanes (const VoxelGrid& grid,
               const Parameters& parameters,
               const BoundedPlanes& planes)
 {
-  const Labels absorbed =
+  const Labels absorber_of =
       absorbPlanes (grid, parameters.surfels.absorption_noise_factor, planes);
-  const std::vector<Moments> parts = momentsOfPlanes (grid, planes);
-  std::vector<Moments> moments (parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    moments[absorbed[p]].addAligned (parts[p]);
+  const std::vector<Moments> own_moments = momentsOfPlanes (grid, planes);
+  // Of the absorbers with all that they absorb; absorbed planes have none.
+  std::vector<Moments> moments (planes.size());
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    moments[absorber_of[p]].addAligned (own_moments[p]);
   MergedPlanes merged = mergePlanes (moments, mergingByNoise (parameters.merging));
   const Labels merged_into_of_absorbers = merged.merged_into;
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    merged.merged_into[p] = merged_into_of_absorbers[absorbed[p]];
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    merged.merged_into[p] = merged_into_of_absorbers[absorber_of[p]];
   return merged;
 }
 
-// Replaces planes that are one by their merged plane, in the voxels of both sizes.
+// Merges planes that are one, in the voxels of both sizes: planes has the coarse voxels
+// of each plane, finer.planes its finer voxels and all planes.
 void
 joinPlanes (const VoxelGrid& grid,
             const Parameters& parameters,
@@ -122,20 +126,20 @@ assign (const Points& points,
         const Parameters& parameters)
 {
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
-  const auto add = [&] (const VoxelGrid& grid,
-                        const BoundedPlanes& bounded,
-                        const std::vector<char>& is_left_out) {
+  const auto assign_in = [&] (const VoxelGrid& grid,
+                              const BoundedPlanes& planes_of_grid,
+                              const std::vector<char>& is_left_out) {
     assignToBoundedPlanes (points,
                            grid,
-                           bounded,
+                           planes_of_grid,
                            parameters.distance_threshold,
                            parameters.surfels.assignment_noise_factor,
                            parameters.threads,
                            is_left_out,
                            assigned);
   };
-  add (voxels.coarse, planes, finer.is_refined);
-  add (finer.grid, finer.planes, {});
+  assign_in (voxels.coarse, planes, finer.is_refined);
+  assign_in (finer.grid, finer.planes, {});
   return assigned;
 }
 
@@ -145,25 +149,25 @@ struct Tally {
   UsedLengths used;
 };
 
-// The median over all planes of the largest distance that their points may have [m];
-// nothing without planes.
+// The (upper) median over all planes of the largest distance that their points may have
+// [m]; nothing without planes.
 std::optional<double>
 usualDistanceLimit (const BoundedPlanes& planes,
                     const Refinement& finer,
                     const Parameters& parameters)
 {
-  std::vector<double> distances;
+  std::vector<double> limits; // of each plane [m]
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const double noise =
         std::max ({planes.noise[p], finer.planes.noise[p], smallestNoise (finer.grid)});
-    const double distance = parameters.surfels.assignment_noise_factor * noise;
-    distances.push_back (
-        std::min (distance, parameters.distance_threshold.value_or (distance)));
+    const double limit_by_noise = parameters.surfels.assignment_noise_factor * noise;
+    limits.push_back (std::min (
+        limit_by_noise, parameters.distance_threshold.value_or (limit_by_noise)));
   }
-  if (distances.empty())
+  if (limits.empty())
     return {};
-  const auto middle = distances.begin() + static_cast<long> (distances.size() / 2);
-  std::nth_element (distances.begin(), middle, distances.end());
+  const auto middle = limits.begin() + static_cast<long> (limits.size() / 2);
+  std::nth_element (limits.begin(), middle, limits.end());
   return *middle;
 }
 
@@ -175,7 +179,8 @@ labelPoints (const Points& points,
              StageDurations& durations,
              Tally& tally);
 
-// Finds planes among the points of these indices, in voxels of a size that suits them.
+// Finds planes among the points with these indices, in voxels of a size that suits
+// them, and adds the planes to those in assigned.
 void
 detectAmong (const Points& points,
              const Indices& indices,
@@ -215,6 +220,7 @@ labelSparsePoints (const Points& points,
     return;
   const VoxelGrid& grid = voxels.coarse;
   const Indices sparse = sparseVoxels (grid, neighborhood_factor * parameters.k);
+  // Called again below, when detectAmong has labeled some of these points.
   const auto open_points = [&] { return openPoints (grid, sparse, assigned.labels); };
   const Indices indices = sparsePoints (open_points(), points.size());
   if (!indices.empty())
@@ -227,8 +233,8 @@ labelSparsePoints (const Points& points,
                 assigned);
 }
 
-// The stages of OPS on voxels, one after the other. P, P_s, n_i, Pi and theta_h are
-// symbols of the paper; sections are those of the paper, too.
+// The stages of OPS on voxels, one after the other. The paper (Sun & Mordohai 2019) has
+// the symbols P, P_s, n_i, Pi and theta_h, and section III-C.
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,

@@ -28,9 +28,9 @@ struct PlaneNode {
 void
 makeNeighborsUnique (PlaneNode& node)
 {
-  std::vector<std::size_t>& all = node.neighbors;
-  std::sort (all.begin(), all.end());
-  all.erase (std::unique (all.begin(), all.end()), all.end());
+  std::vector<std::size_t>& neighbors = node.neighbors;
+  std::sort (neighbors.begin(), neighbors.end());
+  neighbors.erase (std::unique (neighbors.begin(), neighbors.end()), neighbors.end());
 }
 
 // The graph of planes: two planes touch if they have adjacent voxels.
@@ -42,12 +42,13 @@ nodesOf (const VoxelGrid& grid, const BoundedPlanes& planes)
   for (std::size_t p = 0; p < planes.size(); ++p)
     nodes.push_back (
         {planes.planes[p], moments[p], planes.noise[p] * planes.noise[p], {}, false});
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const std::int32_t own = planes.plane_of_voxel[i];
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
+    const std::int32_t own = planes.plane_of_voxel[voxel];
     if (own == no_plane)
       continue;
-    std::int32_t last_other = own; // successive neighbors mostly are on the same plane
-    for (const std::uint32_t neighbor : grid.neighbors[i]) {
+    // Successive neighbors mostly are on the same plane: it is added once for them.
+    std::int32_t last_other = own;
+    for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
       const std::int32_t other = planes.plane_of_voxel[neighbor];
       if (other != no_plane && other != own && other != last_other)
         nodes[own].neighbors.push_back (other);
@@ -66,30 +67,30 @@ squaredRms (const PlaneNode& node)
 }
 
 // Mean squared distance of the points of the smaller plane to the larger one, divided
-// by the largest one allowed: below 1 both are one plane. A few times the noise is
-// allowed, as points that err alike make bumps of this height.
+// by the largest value allowed: below 1 both are one plane.
 double
-misfitTo (const PlaneNode& larger, const PlaneNode& smaller, double noise_factor)
+squaredMisfit (const PlaneNode& larger, const PlaneNode& smaller, double noise_factor)
 {
   return meanSquaredDistance (smaller.moments, larger.plane) /
          (noise_factor * noise_factor *
           commonSquaredNoise (squaredRms (larger), squaredRms (smaller)));
 }
 
-// The larger neighbor that the plane p fits best; p itself if it fits none.
+// The neighbor with more points that plane p fits best; p itself if it fits none. Of
+// two planes with equally many points the one that comes first counts as larger.
 std::size_t
 absorberOf (const std::vector<PlaneNode>& nodes, std::size_t p, double noise_factor)
 {
   const PlaneNode& own = nodes[p];
   std::size_t absorber = p;
-  double least_misfit = 1.0;
+  double least_misfit = 1.0; // squared
   for (const std::size_t other : own.neighbors) {
     const double count = nodes[other].moments.count;
     const bool is_larger =
         count > own.moments.count || (count == own.moments.count && other < p);
     if (!is_larger)
       continue;
-    const double misfit = misfitTo (nodes[other], own, noise_factor);
+    const double misfit = squaredMisfit (nodes[other], own, noise_factor);
     if (!(misfit < least_misfit))
       continue;
     least_misfit = misfit;
@@ -99,8 +100,10 @@ absorberOf (const std::vector<PlaneNode>& nodes, std::size_t p, double noise_fac
 }
 
 // Adds absorbed nodes to the nodes that absorb them, and leaves them empty.
+// goes_into[p] is the node that absorbs node p; p itself if none does.
 void
-mergeAbsorbed (const std::vector<std::size_t>& goes_into, std::vector<PlaneNode>& nodes)
+addToAbsorbers (const std::vector<std::size_t>& goes_into,
+                std::vector<PlaneNode>& nodes)
 {
   for (std::size_t p = 0; p < nodes.size(); ++p) {
     if (goes_into[p] == p)
@@ -112,6 +115,13 @@ mergeAbsorbed (const std::vector<std::size_t>& goes_into, std::vector<PlaneNode>
         to.neighbors.end(), nodes[p].neighbors.begin(), nodes[p].neighbors.end());
     nodes[p] = PlaneNode();
   }
+}
+
+// Renames absorbed neighbors to the nodes that absorbed them, and refits the planes of
+// nodes that have grown.
+void
+updateNodes (const std::vector<std::size_t>& goes_into, std::vector<PlaneNode>& nodes)
+{
   for (std::size_t p = 0; p < nodes.size(); ++p) {
     PlaneNode& node = nodes[p];
     for (std::size_t& neighbor : node.neighbors)
@@ -143,12 +153,13 @@ absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& p
       while (goes_into[to] != to)
         to = goes_into[to];
     has_changed = false;
-    for (std::int32_t& to : absorber_of) {
-      const std::size_t next = goes_into[to];
-      has_changed |= next != static_cast<std::size_t> (to);
-      to = static_cast<std::int32_t> (next);
+    for (std::int32_t& absorber : absorber_of) {
+      const std::size_t next = goes_into[absorber];
+      has_changed |= next != static_cast<std::size_t> (absorber);
+      absorber = static_cast<std::int32_t> (next);
     }
-    mergeAbsorbed (goes_into, nodes);
+    addToAbsorbers (goes_into, nodes);
+    updateNodes (goes_into, nodes);
   }
   return absorber_of;
 }

@@ -14,21 +14,21 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane, the noise of its points, and the distance below which it takes
- * points: these lie in a band of space around it. */
+/** \brief The space around a plane in which the plane takes points, on both sides; and
+ * the noise sigma of its points, by which a point chooses among several planes. */
 struct PlaneBand {
   FloatPlane surface;
   /** \brief Distance below which the plane takes points [m]; 0: it takes no point. */
   float half_width = 0.0f;
-  /** \brief 1 / sigma^2 of the noise [1/m^2]. */
+  /** \brief 1 / sigma^2 [1/m^2]. */
   float inverse_variance = 0.0f;
-  /** \brief 2 ln sigma, sigma in m. */
+  /** \brief ln sigma^2 = 2 ln sigma, with sigma in meters. */
   float log_variance = 0.0f;
 
   PlaneBand() = default;
 
   /** \param[in] noise sigma [m], above 0
-   * \param[in] largest_distance see \ref half_width [m] */
+   * \param[in] largest_distance becomes \ref half_width [m] */
   PlaneBand (const Plane& plane, double noise, double largest_distance)
   : surface (plane)
   , half_width (static_cast<float> (largest_distance))

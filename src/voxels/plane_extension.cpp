@@ -15,38 +15,40 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Planes narrower than a voxel get a band of width 0, and are not extended: else a
-// plane of a car would continue across the street.
+// The band of each plane, by the moments of its points. Planes narrower than a voxel
+// get a band of width 0, and are not extended: else a plane of a car would continue
+// across the street.
 std::vector<PlaneBand>
-bandsOf (const std::vector<Moments>& planes,
+bandsOf (const std::vector<Moments>& moments_of_planes,
          double voxel_size,
          double smallest_noise,
          double largest_distance)
 {
-  std::vector<PlaneBand> bands (planes.size());
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const std::optional<PlaneFit> fit = fitPlane (planes[p]);
-    // The width of an evenly covered strip is sqrt (12) standard deviations.
-    if (!fit || 12.0 * fit->variances[1] < voxel_size * voxel_size)
+  // The width of an evenly covered strip is sqrt (12) standard deviations.
+  constexpr double squared_width_by_variance = 12.0;
+  std::vector<PlaneBand> bands (moments_of_planes.size());
+  for (std::size_t p = 0; p < bands.size(); ++p) {
+    const std::optional<PlaneFit> fit = fitPlane (moments_of_planes[p]);
+    if (!fit || squared_width_by_variance * fit->variances[1] < voxel_size * voxel_size)
       continue;
     const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
-    bands[p] =
-        PlaneBand (fit->plane, noise, std::min (like_noise * noise, largest_distance));
+    bands[p] = PlaneBand (
+        fit->plane, noise, std::min (like_noise_ratio * noise, largest_distance));
   }
   return bands;
 }
 
-// For each larger voxel the planes of its points, from the labels of all points.
+// For each larger voxel the planes of the points in it, from the labels of all points.
 std::vector<Labels>
-planesInLarger (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& labels)
+planesOfPoints (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& labels)
 {
   std::vector<Labels> planes (larger.codes.size());
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
-    std::int32_t last = no_plane;
+    std::int32_t last_plane = no_plane;
     for (const std::uint32_t point : grid.pointsOf (voxel)) {
-      if (labels[point] != last)
+      if (labels[point] != last_plane)
         addOnce (labels[point], planes[larger.holding[voxel]]);
-      last = labels[point];
+      last_plane = labels[point];
     }
   }
   return planes;
@@ -54,16 +56,17 @@ planesInLarger (const LargerVoxels& larger, const VoxelGrid& grid, const Labels&
 
 // For each larger voxel the planes in the smaller voxels that it contains.
 std::vector<Labels>
-planesInLarger (const LargerVoxels& larger, const std::vector<Labels>& planes)
+planesOfSmaller (const LargerVoxels& larger,
+                 const std::vector<Labels>& planes_in_smaller)
 {
-  std::vector<Labels> joined (larger.codes.size());
-  for (std::size_t voxel = 0; voxel < planes.size(); ++voxel)
-    for (const std::int32_t plane : planes[voxel])
-      addOnce (plane, joined[larger.holding[voxel]]);
-  return joined;
+  std::vector<Labels> planes (larger.codes.size());
+  for (std::size_t voxel = 0; voxel < planes_in_smaller.size(); ++voxel)
+    for (const std::int32_t plane : planes_in_smaller[voxel])
+      addOnce (plane, planes[larger.holding[voxel]]);
+  return planes;
 }
 
-// The planes of a voxel and its neighbors, each once.
+// The planes in a voxel and its neighbors, each once, from the planes in each voxel.
 Labels
 planesAround (const VoxelNeighbors& neighbors,
               std::size_t voxel,
@@ -82,7 +85,7 @@ void
 extendToVoxels (const Coordinates& points,
                 const std::vector<OpenPoint>& open,
                 const LargerVoxels& larger,
-                const std::vector<Labels>& planes,
+                const std::vector<Labels>& planes_in_voxel,
                 const std::vector<PlaneBand>& bands,
                 Labels& labels)
 {
@@ -90,7 +93,7 @@ extendToVoxels (const Coordinates& points,
   for (std::size_t i = 0; i < open.size(); ++i) {
     const auto [point, voxel] = open[i];
     if (i == 0 || voxel != open[i - 1].voxel)
-      around = planesAround (larger.neighbors, voxel, planes);
+      around = planesAround (larger.neighbors, voxel, planes_in_voxel);
     if (labels[point] == no_plane)
       labels[point] = likeliestOf (around, bands, points, point);
   }
@@ -112,19 +115,21 @@ extendPlanes (const Coordinates& points,
   const double largest_distance =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   double voxel_size = grid.voxel_size;
-  std::vector<Labels> planes; // of each voxel of the level
-  const auto wanted = static_cast<std::size_t> (doublings);
-  for (std::size_t level = 0; level < std::min (wanted, grid.larger.size()); ++level) {
+  std::vector<Labels> planes; // in each voxel of the level
+  const std::size_t levels =
+      std::min (static_cast<std::size_t> (doublings), grid.larger.size());
+  for (std::size_t level = 0; level < levels; ++level) {
     const LargerVoxels& larger = grid.larger[level];
     voxel_size *= 2.0;
     const std::vector<PlaneBand> bands =
         bandsOf (assigned.moments, voxel_size, smallestNoise (grid), largest_distance);
-    planes = level == 0 ? planesInLarger (larger, grid, labels)
-                        : planesInLarger (larger, planes);
-    // From the voxel of the level below to that of this level.
+    planes = level == 0 ? planesOfPoints (larger, grid, labels)
+                        : planesOfSmaller (larger, planes);
+    // Replaces the voxel of the level below by that of this level.
     for (OpenPoint& open_point : open)
       open_point.voxel = larger.holding[open_point.voxel];
     extendToVoxels (points, open, larger, planes, bands, labels);
+    // The next level sees the planes that points have just got.
     for (const auto& [point, voxel] : open)
       addOnce (labels[point], planes[voxel]);
   }

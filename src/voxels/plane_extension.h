@@ -17,9 +17,11 @@ namespace pcl_ops::internal {
  * first in those of twice the edge. Planes narrower than these voxels are not extended.
  * \param[in] open points on no plane in sparse voxels, voxel after voxel
  * \param[in] grid with neighbors and larger voxels, by \ref connect
- * \param[in] doublings how many times the edge is doubled, at most up to the root
+ * \param[in] doublings how many times the edge is doubled; fewer if one voxel holds
+ * all points before
  * \param[in] distance_threshold theta_h: largest distance of a point to its plane [m],
- * if given; like_noise times the plane's noise limits the distance in any case
+ * if given; like_noise_ratio (1.5) times the plane's noise limits the distance in any
+ * case
  * \param[in,out] assigned labels of all points, and moments of each plane; points that
  * get a plane are added to both */
 void

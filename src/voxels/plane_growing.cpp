@@ -11,16 +11,16 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// The plane of a neighbor that the points of a voxel are nearest to: the least ratio of
-// their rms distance to the largest one [m] that the plane allows. no_plane if no ratio
-// is below 1.
+// The plane of a neighbor with the least ratio of the rms distance of the voxel's
+// points to the largest rms distance [m] that the plane allows. no_plane if no ratio is
+// below 1.
 std::int32_t
-nearestPlaneAround (const VoxelGrid& grid,
-                    const BoundedPlanes& planes,
-                    const std::vector<double>& largest_rms_of_plane,
-                    std::size_t voxel)
+bestPlaneAround (const VoxelGrid& grid,
+                 const BoundedPlanes& planes,
+                 const std::vector<double>& largest_rms_of_plane,
+                 std::size_t voxel)
 {
-  std::int32_t nearest = no_plane;
+  std::int32_t best = no_plane;
   // Successive neighbors mostly are on the same plane.
   std::int32_t last_plane = no_plane;
   double least_squared_ratio = 1.0;
@@ -35,9 +35,9 @@ nearestPlaneAround (const VoxelGrid& grid,
     if (squared_ratio >= least_squared_ratio)
       continue;
     least_squared_ratio = squared_ratio;
-    nearest = plane;
+    best = plane;
   }
-  return nearest;
+  return best;
 }
 
 // The voxels without a plane.
@@ -76,22 +76,22 @@ growPlanes (const VoxelGrid& grid,
             unsigned threads,
             BoundedPlanes& planes)
 {
-  const double largest_rms =
+  const double given_limit =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   std::vector<double> largest_rms_of_plane;
   for (const double noise : planes.noise)
     largest_rms_of_plane.push_back (
-        std::min (max_voxel_rms_in_noises * noise, largest_rms));
+        std::min (max_voxel_rms_in_noises * noise, given_limit));
   Indices open = openVoxels (planes.plane_of_voxel);
   while (!open.empty()) {
-    Labels nearest (open.size());
+    Labels best_planes (open.size());
     forEach (threads, open.size(), [&] (std::size_t i) {
-      nearest[i] = nearestPlaneAround (grid, planes, largest_rms_of_plane, open[i]);
+      best_planes[i] = bestPlaneAround (grid, planes, largest_rms_of_plane, open[i]);
     });
     Indices taken;
     for (std::size_t i = 0; i < open.size(); ++i)
-      if (nearest[i] != no_plane) {
-        planes.plane_of_voxel[open[i]] = nearest[i];
+      if (best_planes[i] != no_plane) {
+        planes.plane_of_voxel[open[i]] = best_planes[i];
         taken.push_back (open[i]);
       }
     open = openVoxelsNextTo (grid, taken, planes.plane_of_voxel);

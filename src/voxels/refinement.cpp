@@ -11,8 +11,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Marks voxels without a plane that hold enough points for one, and their neighbors, so
-// that finer voxels have neighbors. The neighbors of a voxel include itself.
+// Marks voxels without a plane that have enough points for one, and their neighbors, so
+// that all finer voxels have neighbors. The neighbors of a voxel include itself.
 std::vector<char>
 voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_voxel)
 {
@@ -31,7 +31,7 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
 
 // Indices of the finest voxels in refined coarse voxels.
 Indices
-voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
+finestVoxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
 {
   Indices voxels;
   for (std::size_t i = 0; i < coarse_of_finest.size(); ++i)
@@ -40,6 +40,7 @@ voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
   return voxels;
 }
 
+// A grid of the given voxels alone, without neighbors.
 VoxelGrid
 partOf (const VoxelGrid& grid, const Indices& voxels)
 {
@@ -56,7 +57,7 @@ partOf (const VoxelGrid& grid, const Indices& voxels)
 }
 
 // For each voxel of the grid \p finer the plane of its coarse voxel, if the points of
-// the finer voxel lie on that plane.
+// the finer voxel lie on that plane; else no_plane.
 // \param[in] finest_voxels for each voxel of finer its index among all finest voxels
 Labels
 inheritedPlanes (const BoundedPlanes& planes,
@@ -99,7 +100,8 @@ refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads
   const VoxelGrid& coarse = voxels.coarse;
   Refinement finer;
   finer.is_refined = voxelsToRefine (coarse, threads, planes.plane_of_voxel);
-  const Indices finest_voxels = voxelsIn (voxels.coarse_of_finest, finer.is_refined);
+  const Indices finest_voxels =
+      finestVoxelsIn (voxels.coarse_of_finest, finer.is_refined);
   finer.grid = partOf (voxels.finest, finest_voxels);
   connect (finer.grid, threads);
   finer.planes.planes = planes.planes;

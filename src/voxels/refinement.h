@@ -18,9 +18,11 @@ struct Refinement {
   BoundedPlanes planes;
 };
 
-/** \brief Divides coarse voxels that have no plane and enough points for one, and the
+/** \brief Divides coarse voxels without a plane that have 8 points or more, and the
  * neighbors of these voxels, into voxels of half the edge. A finer voxel keeps the
- * plane of the coarse voxel that holds it if its points lie on that plane.
+ * plane of the coarse voxel that contains it if its points lie on that plane: within
+ * \ref max_voxel_rms_in_noises.
+ * \param[in] voxels the coarse ones with neighbors, by \ref connect
  * \param[in] planes found in the coarse voxels, with their noise */
 Refinement
 refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads);

@@ -13,7 +13,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Sparse points are left alone if they are fewer than one in this many of all points.
+// Sparse points are not searched if fewer than one in this many points is sparse.
 constexpr std::size_t least_one_in = 100;
 
 // Number of points in a voxel and around it: the neighbors include the voxel itself.
@@ -27,34 +27,34 @@ pointsAround (const VoxelGrid& grid, std::size_t voxel)
 }
 
 // Whether the points of a plane may be a mist: their rms distance to it is above
-// other_noise times the noise of the other planes, and above a quarter of the spacing
-// of the points.
+// other_noise_ratio times the noise of the other planes, and above a quarter of the
+// spacing of the points.
 bool
 isMist (const Moments& moments, double squared_noise)
 {
-  constexpr double scatter_in_spacings = 0.25;
+  constexpr double scatter_in_spacings = 0.25; // the least of a mist
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)
     return false;
   // The edge of an evenly covered square is sqrt (12) standard deviations.
   const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
-  const double squared_limit =
-      std::max (other_noise * other_noise * squared_noise,
+  const double largest_variance =
+      std::max (other_noise_ratio * other_noise_ratio * squared_noise,
                 scatter_in_spacings * scatter_in_spacings * area / moments.count);
-  return fit->variances[0] > squared_limit;
+  return fit->variances[0] > largest_variance;
 }
 
-// Mean squared distance of points to their planes [m^2]; infinite without planes, so
-// that nothing is a mist.
+// Mean squared distance of all points to their planes [m^2]; infinite without planes,
+// so that nothing is a mist.
 double
-squaredNoise (const std::vector<Moments>& planes)
+squaredNoise (const std::vector<Moments>& moments_of_planes)
 {
   double points = 0.0;
-  double squares = 0.0;
-  for (const Moments& plane : planes)
-    if (const std::optional<PlaneFit> fit = fitPlane (plane)) {
-      points += plane.count;
-      squares += plane.count * fit->variances[0];
+  double squares = 0.0; // sum of the squared distances [m^2]
+  for (const Moments& moments : moments_of_planes)
+    if (const std::optional<PlaneFit> fit = fitPlane (moments)) {
+      points += moments.count;
+      squares += moments.count * fit->variances[0];
     }
   return points > 0.0 ? squares / points : std::numeric_limits<double>::infinity();
 }
@@ -65,16 +65,16 @@ Indices
 sparseVoxels (const VoxelGrid& grid, double min_points)
 {
   Indices sparse;
-  double points = 0.0;
+  double sparse_points = 0.0;
   double all_points = 0.0;
-  for (std::uint32_t i = 0; i < grid.size(); ++i) {
-    all_points += grid.moments[i].count;
-    if (pointsAround (grid, i) >= min_points)
+  for (std::uint32_t voxel = 0; voxel < grid.size(); ++voxel) {
+    all_points += grid.moments[voxel].count;
+    if (pointsAround (grid, voxel) >= min_points)
       continue;
-    sparse.push_back (i);
-    points += grid.moments[i].count;
+    sparse.push_back (voxel);
+    sparse_points += grid.moments[voxel].count;
   }
-  return points * least_one_in < all_points ? Indices() : sparse;
+  return sparse_points * least_one_in < all_points ? Indices() : sparse;
 }
 
 std::vector<OpenPoint>
@@ -91,9 +91,11 @@ openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels)
 Indices
 sparsePoints (const std::vector<OpenPoint>& open, std::size_t cloud_size)
 {
-  constexpr std::size_t most_one_in = 2;
+  constexpr std::size_t most_one_in = 2; // at most every second point
+  const bool are_few = open.size() * least_one_in < cloud_size;
+  const bool are_many = open.size() * most_one_in > cloud_size;
   Indices sparse;
-  if (open.size() * least_one_in < cloud_size || open.size() * most_one_in > cloud_size)
+  if (are_few || are_many)
     return sparse;
   std::vector<char> is_open (cloud_size, 0);
   for (const auto& [point, voxel] : open)
@@ -108,14 +110,14 @@ void
 rejectMist (const std::vector<Moments>& dense, unsigned threads, AssignedPoints& sparse)
 {
   const double squared_noise = squaredNoise (dense);
-  Labels kept (sparse.moments.size());
-  for (std::size_t p = 0; p < kept.size(); ++p) {
+  Labels new_labels (sparse.moments.size()); // no_plane for a rejected plane
+  for (std::size_t p = 0; p < new_labels.size(); ++p) {
     const bool is_mist = isMist (sparse.moments[p], squared_noise);
-    kept[p] = is_mist ? no_plane : static_cast<std::int32_t> (p);
+    new_labels[p] = is_mist ? no_plane : static_cast<std::int32_t> (p);
     if (is_mist)
       sparse.moments[p] = Moments();
   }
-  relabel (sparse.labels, kept, threads);
+  relabel (sparse.labels, new_labels, threads);
 }
 
 } // namespace pcl_ops::internal

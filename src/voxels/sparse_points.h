@@ -12,12 +12,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The voxels that have, with their neighbors, fewer than \p min_points points.
- * \return their indices; empty if they hold less than a hundredth of all points */
+/** \brief The voxels that have, together with their neighbors, fewer than \p min_points
+ * points.
+ * \return their indices; empty if they have fewer than a hundredth of all points */
 Indices
 sparseVoxels (const VoxelGrid& grid, double min_points);
 
-/** \brief A point on no plane, and the voxel that it is in. */
+/** \brief Indices of a point on no plane and of the voxel that it is in. */
 struct OpenPoint {
   std::uint32_t point;
   std::uint32_t voxel;
@@ -30,14 +31,16 @@ openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels);
 /** \brief The points among which to detect planes anew, with a voxel size of their own.
  * \param[in] open points on no plane in the \ref sparseVoxels
  * \param[in] cloud_size number of points of the cloud
- * \return indices, ascending; empty for less than a hundredth of all points, and for
- * more than half: the voxel size, chosen for the whole cloud, already suits so many */
+ * \return indices, ascending; empty for fewer than a hundredth of all points, and for
+ * more than half of them: the voxel size, chosen for the whole cloud, already suits so
+ * many */
 Indices
 sparsePoints (const std::vector<OpenPoint>& open, std::size_t cloud_size);
 
-/** \brief Rejects planes of sparse points whose points scatter far more than those of
- * dense planes, and more than a quarter of their spacing. Such points are a mist
- * without a surface, which makes a plane in voxels as large as sparse points need.
+/** \brief Rejects planes of sparse points that are a mist, points without a surface:
+ * voxels as large as sparse points need find planes in it. The rms distance of its
+ * points to the plane is above \ref other_noise_ratio (6) times that of the points of
+ * dense planes, and above a quarter of the spacing of its points.
  * \param[in] dense moments of the other planes; no plane is rejected if there are none
  * \param[in,out] sparse a rejected plane gets empty moments, its points get no_plane */
 void

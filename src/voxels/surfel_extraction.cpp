@@ -20,10 +20,11 @@ struct SurfelPatch {
   Moments moments;
 };
 
-/** \brief For each voxel, whether it is open: with a surfel flat enough, on no plane.
+/** \brief For each voxel, whether it is open: it has a surfel flat enough, and no
+ * plane.
  */
 std::vector<char>
-openSurfels (const Surfels& surfels, double max_thickness, const Labels& plane_of_voxel)
+openVoxels (const Surfels& surfels, double max_thickness, const Labels& plane_of_voxel)
 {
   std::vector<char> is_open (surfels.size());
   for (std::size_t i = 0; i < surfels.size(); ++i)
@@ -36,16 +37,21 @@ openSurfels (const Surfels& surfels, double max_thickness, const Labels& plane_o
 struct SurfelSpread {
   const VoxelGrid& grid;
   const Surfels& surfels;
-  double noise_factor, smallest_cosine;
-  /** \brief For each voxel; the caller closes those that are done. */
+  /** \brief Largest rms distance of a voxel's points to the plane of a patch, in units
+   * of the voxel's noise. */
+  double noise_factor;
+  /** \brief Cosine of the largest angle between the normals of a plane and a surfel. */
+  double smallest_cosine;
+  /** \brief Whether each voxel may be added to a patch: see \ref openVoxels. The caller
+   * closes voxels that are done. */
   std::vector<char> is_open;
-  /** \brief For each voxel the number of the seed whose plane last tested its points.
-   */
+  /** \brief For each voxel the \ref seed_number of the plane that last tested its
+   * points; 0: none did. */
   std::vector<std::uint32_t> last_tested_by =
       std::vector<std::uint32_t> (grid.size(), 0);
-  /** \brief Number of the seed in use, from 1 up. */
+  /** \brief How many seeds were used, with the one in use. */
   std::uint32_t seed_number = 0;
-  /** \brief Noise of each voxel of a patch [m], as it was limited by \ref take. */
+  /** \brief Noise of each voxel of a patch [m], as limited by \ref takeIfOnPlane. */
   std::vector<double> noise_of_taken = std::vector<double> (grid.size(), 0.0);
 
   /** \brief Grows a patch from a seed. Its plane is the seed's until it has four
@@ -58,11 +64,11 @@ struct SurfelSpread {
     ++seed_number;
     Plane plane = surfels[seed]->plane;
     SurfelPatch patch;
-    take (seed, plane, surfels[seed]->noise, patch);
+    takeIfOnPlane (seed, plane, surfels[seed]->noise, patch);
     for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
       const std::uint32_t voxel = patch.voxels[i];
       for (const std::uint32_t neighbor : grid.neighbors[voxel])
-        take (neighbor, plane, noise_of_taken[voxel], patch);
+        takeIfOnPlane (neighbor, plane, noise_of_taken[voxel], patch);
       if (patch.voxels.size() < next_fit)
         continue;
       next_fit = patch.voxels.size() * 3 / 2 + 1;
@@ -73,21 +79,22 @@ struct SurfelSpread {
   }
 
 private:
-  // Adds a voxel if its normal and its points fit the plane; tests its points once per
-  // seed. Surfels on two planes seem noisier than either plane: so the noise of a voxel
-  // is limited to like_noise times that of the voxel from which the patch reaches it.
+  // Adds a voxel to a patch if its normal and its points fit the plane; tests its
+  // points once per seed. A surfel on two surfaces has more noise than either of them:
+  // so the noise of a voxel is limited to like_noise_ratio (1.5) times noise_before
+  // [m], that of the neighbor from which the patch reaches the voxel.
   void
-  take (std::uint32_t voxel,
-        const Plane& plane,
-        double noise_next_to_it,
-        SurfelPatch& patch)
+  takeIfOnPlane (std::uint32_t voxel,
+                 const Plane& plane,
+                 double noise_before,
+                 SurfelPatch& patch)
   {
     if (last_tested_by[voxel] == seed_number || !is_open[voxel] ||
         std::abs (plane.normal.dot (surfels[voxel]->plane.normal)) < smallest_cosine)
       return;
     last_tested_by[voxel] = seed_number;
     const double noise =
-        std::max (std::min (surfels[voxel]->noise, like_noise * noise_next_to_it),
+        std::max (std::min (surfels[voxel]->noise, like_noise_ratio * noise_before),
                   smallestNoise (grid));
     if (meanSquaredDistance (grid.moments[voxel], plane) >
         noise_factor * noise_factor * noise * noise)
@@ -102,11 +109,13 @@ private:
 struct CurvedSurfaces {
   const VoxelGrid& grid;
   const Surfels& surfels;
+  /** \brief As of SurfelSpread. */
   double smallest_cosine;
   std::vector<char> is_curved = std::vector<char> (grid.size(), 0);
 
   /** \brief Adds a patch if it is curved together with the curved voxels next to it: a
-   * narrow strip that remains of a cylinder is flat by itself.
+   * narrow strip of a cylinder, whose other voxels were added before, is flat by
+   * itself.
    * \return whether the patch is curved */
   bool
   addIfCurved (const Indices& patch, const PlaneFit& fit)
@@ -124,8 +133,8 @@ private:
   Indices
   withCurvedNeighbors (Indices patch, const Plane& plane)
   {
-    const std::size_t own = patch.size();
-    for (std::size_t i = 0; i < own; ++i)
+    const std::size_t own_voxels = patch.size();
+    for (std::size_t i = 0; i < own_voxels; ++i)
       for (const std::uint32_t neighbor : grid.neighbors[patch[i]])
         if (is_curved[neighbor] != 0 &&
             std::abs (plane.normal.dot (surfels[neighbor]->plane.normal)) >
@@ -133,14 +142,14 @@ private:
           is_curved[neighbor] = 0;
           patch.push_back (neighbor);
         }
-    for (std::size_t i = own; i < patch.size(); ++i)
+    for (std::size_t i = own_voxels; i < patch.size(); ++i)
       is_curved[patch[i]] = 1;
     return patch;
   }
 };
 
-// The voxels with open surfels, the thinnest first; lower indices first among equal
-// ones.
+// The open voxels, those with the thinnest surfels first. Of equally thin ones the
+// lower index comes first.
 Indices
 seedsByThickness (const Surfels& surfels, const std::vector<char>& is_open)
 {
@@ -148,9 +157,10 @@ seedsByThickness (const Surfels& surfels, const std::vector<char>& is_open)
   for (std::uint32_t voxel = 0; voxel < surfels.size(); ++voxel)
     if (is_open[voxel] != 0)
       seeds.push_back (voxel);
-  std::stable_sort (seeds.begin(), seeds.end(), [&] (std::uint32_t a, std::uint32_t b) {
-    return surfels[a]->thickness < surfels[b]->thickness;
-  });
+  const auto is_thinner = [&] (std::uint32_t one, std::uint32_t other) {
+    return surfels[one]->thickness < surfels[other]->thickness;
+  };
+  std::stable_sort (seeds.begin(), seeds.end(), is_thinner);
   return seeds;
 }
 
@@ -169,7 +179,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
                       surfels,
                       parameters.surfels.noise_factor,
                       smallest_cosine,
-                      openSurfels (surfels, max_thickness, planes.plane_of_voxel)};
+                      openVoxels (surfels, max_thickness, planes.plane_of_voxel)};
   CurvedSurfaces curved{grid, surfels, smallest_cosine};
   for (const std::uint32_t seed : seedsByThickness (surfels, spread.is_open)) {
     if (spread.is_open[seed] == 0)

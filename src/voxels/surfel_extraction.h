@@ -13,11 +13,13 @@ namespace pcl_ops::internal {
 
 /** \brief Finds connected planes by region growing. Each surfel is a plane hypothesis,
  * as a point with its normal is in one-point RANSAC, but no draw is needed: the
- * flattest surfel on no plane yet is the seed. Its plane spreads to neighboring voxels
- * whose points lie on it, and is refitted on the way. Only neighbors are tested, so
- * that the cost does not depend on the number of planes. Curved patches are no planes.
- * \param[in] max_thickness surfels thicker than this support no plane
- * \param[in] parameters min_samples is the fewest voxels of a plane
+ * flattest surfel that is on no plane yet is the next seed. Its plane grows over
+ * neighboring voxels whose points lie on it, and is refitted several times. Curved
+ * patches are no planes.
+ * \param[in] surfels one for each voxel, or nothing
+ * \param[in] max_thickness surfels of this thickness (\ref Surfel::thickness) or more
+ * are on no plane
+ * \param[in] parameters min_samples is the smallest number of voxels of a plane
  * \param[in,out] planes found before, whose voxels are left out; new planes are
  * appended, those of the flattest seeds first, without their noise */
 void

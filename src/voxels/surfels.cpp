@@ -17,6 +17,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// \param[in] axes of the covariance: their ascending values are the variances along the
+// normal, the narrow and the long direction [m^2]
 Surfel
 surfelOfNeighborhood (const Moments& surroundings, const PrincipalAxes& axes)
 {
@@ -25,15 +27,16 @@ surfelOfNeighborhood (const Moments& surroundings, const PrincipalAxes& axes)
           std::sqrt (axes.values[0] / axes.values[1])};
 }
 
-// Thickness below which a neighborhood is flat: if its plane fits a voxel, no other one
-// is searched.
+// Thickness below which a neighborhood is flat. For a voxel that fits its plane, no
+// other neighborhood is looked at.
 constexpr double flat_thickness = 0.2;
 
 // The voxels of one resolution, and the planes of their neighborhoods.
 struct GridLevel {
   const VoxelNeighbors& neighbors;
   double voxel_size;
-  /** \brief The voxel that holds each finest voxel; empty for the finest level. */
+  /** \brief For each finest voxel the index of the voxel of this level that contains
+   * it; empty for the finest level. */
   Indices voxel_of_each_finest;
   /** \brief Number of voxels. */
   std::size_t size;
@@ -55,35 +58,37 @@ struct GridLevel {
   }
 };
 
-// Whether points cover a surface: if they are narrower than a voxel, they form a line,
-// which lies in planes of many directions.
+// Whether points cover a surface, by the axes of their covariance: if they are narrower
+// than a voxel, they form a line, which lies in planes of many directions.
 bool
 isSurface (const PrincipalAxes& axes, double voxel_size)
 {
   // The width of an evenly covered strip is sqrt (12) standard deviations.
-  return 12.0 * axes.values[1] >= voxel_size * voxel_size;
+  constexpr double squared_width_by_variance = 12.0;
+  return squared_width_by_variance * axes.values[1] >= voxel_size * voxel_size;
 }
 
 // Finds the surfels of the voxels begin to end - 1.
 void
-findSurfelsAmong (const std::vector<Moments>& of_voxels,
+findSurfelsAmong (const std::vector<Moments>& moments_of_voxels,
                   double min_points,
                   std::size_t begin,
                   std::size_t end,
                   GridLevel& level)
 {
+  // The voxels with enough points around them, and these points.
   Indices voxels;
-  std::vector<Moments> moments;
+  std::vector<Moments> moments_around;
   std::vector<Eigen::Matrix3d> covariances;
   voxels.reserve (end - begin);
-  moments.reserve (end - begin);
+  moments_around.reserve (end - begin);
   covariances.reserve (end - begin);
   for (std::size_t i = begin; i < end; ++i) {
-    const Moments around = momentsOf (of_voxels, level.neighbors[i]);
+    const Moments around = momentsOf (moments_of_voxels, level.neighbors[i]);
     if (around.count < min_points)
       continue;
     voxels.push_back (static_cast<std::uint32_t> (i));
-    moments.push_back (around);
+    moments_around.push_back (around);
     covariances.push_back (around.covariance());
   }
   std::vector<PrincipalAxes> axes (voxels.size());
@@ -91,7 +96,7 @@ findSurfelsAmong (const std::vector<Moments>& of_voxels,
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     if (axes[i].normal.isZero() || !isSurface (axes[i], level.voxel_size))
       continue;
-    const Surfel surfel = surfelOfNeighborhood (moments[i], axes[i]);
+    const Surfel surfel = surfelOfNeighborhood (moments_around[i], axes[i]);
     level.surfels[voxels[i]] = surfel;
     level.thickness[voxels[i]] = surfel.thickness;
   }
@@ -111,25 +116,29 @@ findLevelSurfels (const std::vector<Moments>& moments,
   });
   forEach (threads, level.size, [&] (std::size_t i) {
     const IndexRange around = level.neighbors[i];
-    level.flattest_around[i] = *std::min_element (
-        around.begin(), around.end(), [&level] (std::uint32_t a, std::uint32_t b) {
-          return level.thickness[a] < level.thickness[b];
-        });
+    level.flattest_around[i] =
+        *std::min_element (around.begin(),
+                           around.end(),
+                           [&level] (std::uint32_t one, std::uint32_t other) {
+                             return level.thickness[one] < level.thickness[other];
+                           });
   });
 }
 
-// Levels, each of twice the voxel size of the one before, as far as the octree goes.
+// The level of the grid, and further ones, each of twice the voxel size of the one
+// before; fewer than wanted if one voxel already contains all points.
 std::vector<GridLevel>
 findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned threads)
 {
   std::vector<GridLevel> levels;
   levels.push_back ({grid.neighbors, grid.voxel_size, {}, grid.size()});
   findLevelSurfels (grid.moments, min_points, threads, levels.back());
-  std::vector<Moments> moments;
-  const auto wanted = static_cast<std::size_t> (resolutions - 1);
-  for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
-    const LargerVoxels& larger = grid.larger[l];
-    moments = momentsOf (l == 0 ? grid.moments : moments, larger);
+  std::vector<Moments> moments; // of the voxels of the last level
+  const std::size_t larger_levels =
+      std::min (static_cast<std::size_t> (resolutions - 1), grid.larger.size());
+  for (std::size_t i_larger = 0; i_larger < larger_levels; ++i_larger) {
+    const LargerVoxels& larger = grid.larger[i_larger];
+    moments = momentsOf (i_larger == 0 ? grid.moments : moments, larger);
     Indices voxel_of_each_finest (grid.size());
     for (std::size_t i = 0; i < grid.size(); ++i)
       voxel_of_each_finest[i] = larger.holding[levels.back().voxelHolding (i)];
@@ -144,14 +153,16 @@ findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned 
 
 // The flattest plane found so far that fits the points of one of the finest voxels.
 struct FlattestPlane {
+  /** \brief The points of the finest voxel. */
   const Moments& voxel;
   double smallest_noise;
+  /** \brief The surfel of that plane; nullptr if there is none. */
   const Surfel* flattest_surfel = nullptr;
   /** \brief Thickness of \ref flattest_surfel; 1 if there is none. */
   double thickness = 1.0;
 
-  /** \brief Considers the planes of a voxel and its neighbors: first the flattest,
-   * which mostly fits and makes the others needless. */
+  /** \brief Considers the planes of a voxel and its neighbors, first the flattest one:
+   * if the points fit it, the others need no test. */
   void
   considerAll (const GridLevel& level, std::size_t own_voxel)
   {
@@ -165,13 +176,16 @@ struct FlattestPlane {
       consider (level, candidate);
   }
 
+  /** \brief Takes the plane of a voxel if it is flatter than the one taken before, and
+   * the points fit it. */
   void
   consider (const GridLevel& level, std::size_t candidate)
   {
     if (level.thickness[candidate] >= thickness)
       return;
     const Surfel& surfel = *level.surfels[candidate];
-    const double largest_rms = like_noise * std::max (surfel.noise, smallest_noise);
+    const double largest_rms =
+        like_noise_ratio * std::max (surfel.noise, smallest_noise);
     if (meanSquaredDistance (voxel, surfel.plane) >= largest_rms * largest_rms)
       return;
     flattest_surfel = &surfel;
@@ -204,21 +218,24 @@ bestSurfelFor (std::size_t voxel,
                                : std::nullopt;
 }
 
-// Whether a voxel's surroundings are far noisier than its own points: then the cause is
-// not noise but surfaces finer than the voxels, say the two slopes of a roof.
+// Whether a voxel's surroundings have other_noise_ratio (6) times the noise of its own
+// points: the cause is then not noise but several surfaces, such as the two slopes of a
+// roof.
 bool
 hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise)
 {
-  if (voxel.count < min_points_of_noise || surfel.noise <= other_noise * smallest_noise)
+  if (voxel.count < min_points_of_noise ||
+      surfel.noise <= other_noise_ratio * smallest_noise)
     return false;
   // A plane fits three points exactly: n - 3 degrees of freedom measure the noise.
-  const double squared_limit = surfel.noise * surfel.noise /
-                               (other_noise * other_noise) * (voxel.count - 3.0) /
-                               voxel.count;
-  // Positive definite exactly if all eigenvalues of the covariance exceed the limit.
-  const Eigen::Matrix3d rest =
-      voxel.covariance() - squared_limit * Eigen::Matrix3d::Identity();
-  return rest.llt().info() != Eigen::Success;
+  const double largest_variance = surfel.noise * surfel.noise /
+                                  (other_noise_ratio * other_noise_ratio) *
+                                  (voxel.count - 3.0) / voxel.count;
+  // Positive definite exactly if all eigenvalues of the covariance, the variances of
+  // the points along their axes, are above this value.
+  const Eigen::Matrix3d difference =
+      voxel.covariance() - largest_variance * Eigen::Matrix3d::Identity();
+  return difference.llt().info() != Eigen::Success;
 }
 
 } // namespace

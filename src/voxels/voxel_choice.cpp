@@ -16,9 +16,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Lower quartile over voxels of the rms distance of a voxel's points to their plane
-// [m]. Voxels with too few points are left out, and voxels without any noise: the steps
-// of a quantized depth have none. 0 if no voxel is left.
+// Lower quartile over voxels of the rms distance of a voxel's points to the plane
+// fitted to them [m]. Voxels with too few points do not count, nor do voxels without
+// any noise, as they are in the steps of a quantized depth. 0 if no voxel counts.
 double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
@@ -27,25 +27,25 @@ noiseOfFlatVoxels (const VoxelGrid& grid)
   for (const Moments& voxel : grid.moments)
     if (voxel.count >= min_points_of_noise)
       covariances.push_back (voxel.covariance());
-  std::vector<PrincipalAxes> axes (covariances.size());
-  principalAxes (covariances.data(), covariances.size(), axes.data());
-  std::vector<float> noise;
-  for (const PrincipalAxes& voxel : axes)
-    if (const double own = std::sqrt (voxel.values[0]);
-        own > smallest_noise_share * grid.voxel_size)
-      noise.push_back (static_cast<float> (own));
-  const auto quarter = noise.begin() + noise.size() / 4;
-  std::nth_element (noise.begin(), quarter, noise.end());
-  return noise.empty() ? 0.0 : *quarter;
+  std::vector<PrincipalAxes> axes_of_voxels (covariances.size());
+  principalAxes (covariances.data(), covariances.size(), axes_of_voxels.data());
+  std::vector<float> noises;
+  for (const PrincipalAxes& axes : axes_of_voxels)
+    if (const double noise = std::sqrt (axes.values[0]);
+        noise > smallest_noise_share * grid.voxel_size)
+      noises.push_back (static_cast<float> (noise));
+  const auto lower_quartile = noises.begin() + noises.size() / 4;
+  std::nth_element (noises.begin(), lower_quartile, noises.end());
+  return noises.empty() ? 0.0 : *lower_quartile;
 }
 
 // Number of points in the voxel of a point, on average over all points. It is far above
 // the average over voxels if some parts of the cloud are far denser than others.
 double
-meanPointsAroundPoints (const VoxelGrid& grid)
+meanOverPoints (const VoxelGrid& grid)
 {
   double points = 0.0;
-  double squares = 0.0;
+  double squares = 0.0; // sum over voxels of the squared number of points
   for (const Moments& voxel : grid.moments) {
     points += voxel.count;
     squares += voxel.count * voxel.count;
@@ -57,7 +57,7 @@ meanPointsAroundPoints (const VoxelGrid& grid)
 // clouds voxels hold more points, as noise does not shrink with voxels. If there is
 // next to no noise, smaller voxels tell more. One size is too large near a lidar and
 // too small far from it: a cloud of uneven density gets the voxels that suit its dense
-// parts, and sparse parts are searched by themselves, see \ref sparsePoints.
+// parts, and sparse parts are searched in voxels of their own, see \ref sparsePoints.
 double
 voxelSizeByNoise (const VoxelGrid& grid)
 {
@@ -74,13 +74,14 @@ voxelSizeByNoise (const VoxelGrid& grid)
   // Smallest voxel size in units of that of the grid: however dense one part is, the
   // voxels have to suit the whole cloud.
   constexpr double smallest_size_share = 1.0 / 16.0;
-  const double points = meanPointsAroundPoints (grid);
-  const bool is_uneven = points > min_contrast * meanPointsPerVoxel (grid);
-  if (points < (is_uneven ? enough_points : many_points))
+  const double mean_points = meanOverPoints (grid);
+  const bool is_uneven = mean_points > min_contrast * meanPointsPerVoxel (grid);
+  if (mean_points < (is_uneven ? enough_points : many_points))
     return grid.voxel_size;
-  // Points lie on surfaces: their number goes with the square of the voxel size.
+  // Points lie on surfaces: their number in a voxel is proportional to its squared
+  // edge.
   const double size_share =
-      std::max (smallest_size_share, std::sqrt (enough_points / points));
+      std::max (smallest_size_share, std::sqrt (enough_points / mean_points));
   return roundNumber (std::clamp (noiseOfFlatVoxels (grid) / largest_noise_share,
                                   size_share * grid.voxel_size,
                                   grid.voxel_size));
@@ -92,19 +93,20 @@ double
 wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel)
 {
   constexpr double voxels_per_sample = 2.0 / 3.0;
-  // A cloud of this size has sampling_rate times as many samples.
+  // In a cloud of this many points, sampling_rate is the share that would be samples.
   constexpr double reference_points = 300000.0;
-  const auto number = static_cast<double> (points);
+  const auto point_count = static_cast<double> (points);
   const double samples =
-      sampling_rate * reference_points * std::cbrt (number / reference_points);
-  return std::min (voxels_per_sample * samples, number / min_points_per_voxel);
+      sampling_rate * reference_points * std::cbrt (point_count / reference_points);
+  return std::min (voxels_per_sample * samples, point_count / min_points_per_voxel);
 }
 
 double
 singlePrecisionStep (const Points& points)
 {
   const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
-  return std::nextafter (largest, 2.0f * largest + 1.0f) - largest;
+  const float any_above = 2.0f * largest + 1.0f;
+  return std::nextafter (largest, any_above) - largest;
 }
 
 double
@@ -120,16 +122,17 @@ VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
 {
   constexpr double min_points_per_voxel = 5.0;
-  const double size = voxelSizeFor (
+  const double size_by_points = voxelSizeFor (
       points, wantedVoxels (points.size(), sampling_rate, min_points_per_voxel));
-  if (!(size > 0.0))
+  if (!(size_by_points > 0.0))
     return {};
-  // A finest voxel, half as large as a coarse one, has an edge of 8 steps or more.
+  // The edge of a coarse voxel is twice that of a finest one, which is 8 steps or more.
   constexpr double smallest_in_steps = 2.0 * 8.0;
-  const double smallest = smallest_in_steps * singlePrecisionStep (points);
-  VoxelLevels voxels =
-      coarsen (voxelize (points, 0.5 * std::max (size, smallest), threads));
-  const double size_by_noise = std::max (voxelSizeByNoise (voxels.coarse), smallest);
+  const double smallest_size = smallest_in_steps * singlePrecisionStep (points);
+  VoxelLevels voxels = coarsen (
+      voxelize (points, 0.5 * std::max (size_by_points, smallest_size), threads));
+  const double size_by_noise =
+      std::max (voxelSizeByNoise (voxels.coarse), smallest_size);
   if (size_by_noise < voxels.coarse.voxel_size)
     voxels = coarsen (voxelize (points, 0.5 * size_by_noise, threads));
   return voxels;

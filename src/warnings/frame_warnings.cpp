@@ -23,7 +23,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief A vector as "0,0,1", with this many significant digits. */
+/** \brief A vector as text, "0,0,1", each number with up to \p digits significant
+ * digits. */
 std::string
 vectorText (const Eigen::Vector3d& vector, int digits)
 {
@@ -35,8 +36,8 @@ vectorText (const Eigen::Vector3d& vector, int digits)
   return text.str();
 }
 
-/** \brief The parameter for the length of a meter, and in Python the functions it
- * belongs to. */
+/** \brief The parameter meter with the value \p length, the length of a meter in units
+ * of the cloud; in Python also the functions that have this parameter. */
 std::string
 meterText (const std::string& length, const ParameterText& text)
 {
@@ -44,16 +45,18 @@ meterText (const std::string& length, const ParameterText& text)
          (text.isPython() ? " to plane_kinds and floor_plan" : "");
 }
 
-/** \brief Distance from |number| to the next larger number in single precision. */
+/** \brief Distance from |number|, rounded to single precision, to the next larger
+ * number in single precision. */
 double
 stepOfSingle (double number)
 {
   const auto single = static_cast<float> (std::abs (number));
-  constexpr float above = std::numeric_limits<float>::infinity();
-  return double (std::nextafter (single, above)) - double (single);
+  constexpr float upwards = std::numeric_limits<float>::infinity();
+  return double (std::nextafter (single, upwards)) - double (single);
 }
 
-/** \brief Extent of coordinates along one axis, without stray_share at either end. */
+/** \brief Extent of the coordinates of points along one axis, without the stray_share
+ * of smallest ones and of largest ones. */
 double
 extentWithoutStrays (std::vector<float> values)
 {
@@ -80,11 +83,11 @@ looksLikeDegrees (const LabelledSample& sample)
   const bool is_narrow = sides.head<2>().minCoeff() > 0.0 &&
                          width < warning_constants.max_width_of_degrees;
   return are_degrees && is_narrow &&
-         sides.z() > warning_constants.min_height_of_width * width;
+         sides.z() > warning_constants.min_height_in_widths * width;
 }
 
-/** \brief Whether a plane is level, has enough points, and has hardly any points below
- * it. */
+/** \brief Whether a plane is a floor for this up axis: level, with enough points, and
+ * with hardly any points of the cloud below it. */
 bool
 isFloorAlong (const Eigen::Vector3d& up,
               const PlaneSegment& plane,
@@ -92,18 +95,20 @@ isFloorAlong (const Eigen::Vector3d& up,
 {
   const std::optional<PlaneFit> fit = fitPlane (plane.moments);
   const double min_points =
-      warning_constants.min_floor_share * static_cast<double> (sample.finite);
+      warning_constants.min_floor_share * static_cast<double> (sample.finite_points);
   if (!fit || plane.moments.count < min_points ||
       slopeOf (fit->plane.normal, up) > warning_constants.max_floor_slope)
     return false;
+  // Turns signed distances to the plane into heights over it.
   const double sign = fit->plane.normal.dot (up) > 0.0 ? 1.0 : -1.0;
   const double rms = std::sqrt (std::max (0.0, fit->variances[0]));
-  const double lowest = -warning_constants.rms_below_floor * rms;
-  std::size_t below = 0;
+  const double min_height = -warning_constants.rms_below_floor * rms;
+  std::size_t points_below = 0;
   for (std::size_t i = 0; i < sample.labels.size(); ++i)
-    below += sign * fit->plane.distance (sample[i]) < lowest ? 1 : 0;
-  return static_cast<double> (below) <= warning_constants.max_share_below_floor *
-                                            static_cast<double> (sample.labels.size());
+    points_below += sign * fit->plane.distance (sample[i]) < min_height ? 1 : 0;
+  return static_cast<double> (points_below) <=
+         warning_constants.max_share_below_floor *
+             static_cast<double> (sample.labels.size());
 }
 
 /** \brief Whether nearly all points lie in the view of a depth camera at zero that
@@ -131,7 +136,7 @@ warnOfEmptyPlan (const ResultContext& context,
   const std::optional<PlanCounts>& plan = context.plan;
   if (!plan || plan->walls > 0)
     return std::nullopt;
-  const std::string walls = std::to_string (plan->wall_planes_found);
+  const std::string wall_planes = std::to_string (plan->wall_planes_found);
   std::string reason;
   if (unit_warning)
     reason = unit_warning->text;
@@ -141,9 +146,10 @@ warnOfEmptyPlan (const ResultContext& context,
              text.of ("up", "") + ", or " + text.of ("meter", "") +
              " for a cloud that is not in meters";
   else if (plan->wall_planes_kept == 0)
-    reason = "filters drop all planes that are walls (" + walls + "); leave them out";
+    reason =
+        "filters drop all planes that are walls (" + wall_planes + "); leave them out";
   else
-    reason = "none of the planes that are walls (" + walls +
+    reason = "none of the planes that are walls (" + wall_planes +
              ") is where it is cut; give another " +
              text.of (text.isPython() ? "cut-height" : "plan-height", "");
   return ResultWarning{"empty-plan", "the floor plan has 0 walls: " + reason};
@@ -204,20 +210,22 @@ warnOfPrecision (const LabelledSample& sample, const ResultContext& context)
 {
   if (sample.labels.empty() || context.tiles) // tiles are in a frame of their own
     return std::nullopt;
-  const Eigen::Vector3d zero = sample.origin - context.shift; // in the cloud's frame
+  // The origin of the sample in the frame of the cloud, as its coordinates were
+  // rounded.
+  const Eigen::Vector3d origin_in_cloud = sample.origin - context.shift;
   const std::vector<float>* const axes[] = {
       &sample.points.x, &sample.points.y, &sample.points.z};
   std::array<double, 3> extents;
   double step = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<float> values = *axes[axis];
-    step = std::max (step, stepOfSingle (zero[axis] + medianOf (values)));
+    step = std::max (step, stepOfSingle (origin_in_cloud[axis] + medianOf (values)));
     extents[axis] = extentWithoutStrays (std::move (values));
   }
   std::sort (extents.begin(), extents.end());
-  // As if the points covered a rectangle with the two largest extents.
+  // The spacing as if the points covered a rectangle with the two largest extents.
   const double spacing =
-      std::sqrt (extents[1] * extents[2] / static_cast<double> (sample.finite));
+      std::sqrt (extents[1] * extents[2] / static_cast<double> (sample.finite_points));
   const bool spans_an_area = extents[1] > 0.0;
   if (!spans_an_area || step <= warning_constants.max_step_of_spacing * spacing)
     return std::nullopt;
@@ -259,30 +267,30 @@ warnOfUp (const LabelledSample& sample,
       planes.empty())
     return std::nullopt;
   constexpr int digits = 3;
-  const std::string used = vectorText (context.up, digits);
-  const std::string given = text.ofAxis ("up");
+  const std::string used_up = vectorText (context.up, digits);
+  const std::string up_parameter = text.ofAxis ("up");
   if (context.up_knowledge == UpKnowledge::NotFound)
     return ResultWarning{"unknown-up",
                          "the planes cannot tell which way is up, and kinds of planes "
                          "are those of " +
-                             used + "; give " + given};
+                             used_up + "; give " + up_parameter};
   const auto is_floor = [&] (const PlaneSegment& plane) {
     return isFloorAlong (context.up, plane, sample);
   };
-  const auto looks_along_up = [&] {
+  const auto is_up_ahead_of_camera = [&] {
     return looksLikeCamera (sample) &&
            std::none_of (planes.begin(), planes.end(), is_floor);
   };
-  const bool is_doubtful = context.suggested_up || looks_along_up();
+  const bool is_doubtful = context.suggested_up || is_up_ahead_of_camera();
   if (!is_doubtful)
     return std::nullopt;
-  return ResultWarning{"unknown-up",
-                       "kinds of planes need to know which way is up, and " + used +
-                           (context.suggested_up
-                                ? " is not what the planes suggest"
+  return ResultWarning{
+      "unknown-up",
+      "kinds of planes need to know which way is up, and " + used_up +
+          (context.suggested_up ? " is not what the planes suggest"
                                 : " is ahead in a cloud that looks like a depth "
                                   "camera's, without a floor") +
-                           "; give " + text.ofWord ("up", "auto") + " or " + given};
+          "; give " + text.ofWord ("up", "auto") + " or " + up_parameter};
 }
 
 } // namespace pcl_ops::internal

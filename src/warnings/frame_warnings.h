@@ -12,18 +12,19 @@
 
 namespace pcl_ops::internal {
 
-// Warnings about the frame and the unit of a result. Each function returns one warning,
-// or nothing.
+// Warnings about the frame and the unit of a result, and about what depends on these.
+// Each function returns one warning, or nothing.
 
 /** \brief Warns that a floor plan has no walls, and gives the reason.
- * \param[in] unit_warning the warning about the unit; if there is one, it is the reason
- */
+ * \param[in] unit_warning the result of \ref warnOfUnit; if there is one, it is the
+ * reason */
 std::optional<ResultWarning>
 warnOfEmptyPlan (const ResultContext& context,
                  const std::optional<ResultWarning>& unit_warning,
                  const ParameterText& text);
 
-/** \brief Warns that the poses look like a camera's but are used as the lidar's. */
+/** \brief Warns that the poses of the frames look like those of KITTI's camera but are
+ * used as those of its lidar. */
 std::optional<ResultWarning>
 warnOfPoses (const ResultContext& context, const ParameterText& text);
 

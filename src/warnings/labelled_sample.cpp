@@ -10,6 +10,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
+/** \brief For each point of a cloud of so many points the position of its plane, or
+ * no_plane. */
 Labels
 labelsOfPoints (std::size_t points, const std::vector<PlaneSegment>& planes)
 {
@@ -37,9 +39,9 @@ sampleWithLabels (const CloudView& cloud,
   LabelledSample sample;
   sample.points = selected (points, sampled);
   sample.origin = points.origin + shift;
-  sample.finite = points.size();
+  sample.finite_points = points.size();
   for (const PlaneSegment& plane : planes)
-    sample.on_planes += plane.inliers.size();
+    sample.points_on_planes += plane.inliers.size();
   for (const std::uint32_t index : sampled)
     sample.labels.push_back (labels[static_cast<std::size_t> (points.indexOf (index))]);
   return sample;

@@ -11,38 +11,42 @@
 namespace pcl_ops::internal {
 
 /** \brief A sample of the finite points of a cloud, with the plane of each point. The
- * order of the cloud's points does not change which are sampled. */
+ * same points are sampled in whatever order the cloud has them. */
 struct LabelledSample {
-  /** \brief Relative to \ref origin. */
+  /** \brief The sampled points, relative to \ref origin [m]. */
   Coordinates points;
-  /** \brief For each point the position of its plane, or no_plane. */
+  /** \brief For each sampled point the position of its plane in the list of planes, or
+   * no_plane. */
   Labels labels;
-  /** \brief Zero of the frame of \ref points, in the frame of the planes. */
+  /** \brief Zero of the frame of \ref points, in the frame of the planes [m]. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  /** \brief How many points of the cloud are finite, and how many are on planes. */
-  std::size_t finite = 0;
-  std::size_t on_planes = 0;
+  /** \brief How many points of the whole cloud are finite, and how many are on planes.
+   */
+  std::size_t finite_points = 0;
+  std::size_t points_on_planes = 0;
 
-  /** \brief A point in the frame of the planes. */
+  /** \brief Position of a sampled point, by its index, in the frame of the planes. */
   Eigen::Vector3d
   operator[] (std::size_t i) const
   {
     return points[i] + origin;
   }
 
-  /** \brief Share of the finite points of the cloud that are on no plane. */
+  /** \brief Share of the finite points of the whole cloud that are on no plane; 0 if
+   * there are no finite points. */
   double
   shareOnNoPlane () const
   {
-    return finite > on_planes
-               ? static_cast<double> (finite - on_planes) / static_cast<double> (finite)
+    return finite_points > points_on_planes
+               ? static_cast<double> (finite_points - points_on_planes) /
+                     static_cast<double> (finite_points)
                : 0.0;
   }
 };
 
 /** \brief Samples a cloud, and labels each sampled point with the plane that has it as
  * an inlier.
- * \param[in] shift zero of the cloud's frame, in the frame of the planes
+ * \param[in] shift zero of the cloud's frame, in the frame of the planes [m]
  * \throw std::invalid_argument if an inlier is no point of the cloud */
 LabelledSample
 sampleWithLabels (const CloudView& cloud,

@@ -12,18 +12,18 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief The name in Python's segment of the parameter that a command line option
- * sets. */
+/** \brief The name of the parameter in Python, mostly of segment, that has the meaning
+ * of a command line option: mostly that of the option. */
 std::string
 pythonNameOf (std::string option)
 {
-  static const std::map<std::string, std::string> other_names = {
+  static const std::map<std::string, std::string> python_names = {
       {"threshold", "distance_threshold"},
       {"merge-distance", "merging_distance_threshold"},
       {"min-inliers", "min_samples"},
       {"voxel-size", "surfels_voxel_size"}};
-  if (const auto other = other_names.find (option); other != other_names.end())
-    return other->second;
+  if (const auto found = python_names.find (option); found != python_names.end())
+    return found->second;
   std::replace (option.begin(), option.end(), '-', '_');
   return option;
 }
@@ -62,7 +62,7 @@ roundedUpLength (double length)
   constexpr double smallest = 1e-6;
   const double at_least = std::max (length, smallest);
   const double unit = unitOfFirstDigit (at_least);
-  constexpr double rounding = 1e-9; // .3 / .1 is rounded to a number below 3
+  constexpr double rounding = 1e-9; // 0.3 / 0.1 is rounded to a number below 3
   return numberText ((std::floor (at_least / unit + rounding) + 1.0) * unit);
 }
 

@@ -9,7 +9,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A number as text, with a point in every locale. */
+/** \brief A number as text of up to six significant digits, with a decimal point
+ * whatever the locale. */
 std::string
 numberText (double number);
 
@@ -17,8 +18,8 @@ numberText (double number);
 std::string
 roundedLength (double length);
 
-/** \brief The next larger number of one significant digit, as text: 0.2 for 0.18, and
- * 0.4 for 0.3. Lengths below 1e-6 count as 1e-6. */
+/** \brief The smallest number of one significant digit that is larger than a length, as
+ * text: 0.2 for 0.18, and 0.4 for 0.3. Lengths below 1e-6 count as 1e-6. */
 std::string
 roundedUpLength (double length);
 
@@ -26,8 +27,8 @@ roundedUpLength (double length);
 std::string
 percentText (double share);
 
-/** \brief Writes parameters the way users give them: on the command line or in Python.
- */
+/** \brief Writes parameters as users give them: as options of the command line or as
+ * arguments in Python. */
 struct ParameterText {
   ParameterNames names;
 

@@ -16,20 +16,21 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief A plane fitted to points, and how they spread; 0 points if they span none. */
+/** \brief A plane fitted to the points of a segment, and how they spread. All numbers
+ * are 0 if the points span no plane. */
 struct PlaneSpread {
   Plane plane;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double points = 0.0;
-  /** \brief rms distance of the points to this fit [m], even if the plane of the
-   * segment is another one. */
+  /** \brief Rms distance of the points to this fit [m]; the plane of the segment may be
+   * another one. */
   double rms = 0.0;
   /** \brief Sides of the rectangle that uniformly distributed points of the same
    * variances would fill [m]: a rectangle a x b gives a^2 / 12 and b^2 / 12. */
   double width = 0.0;
   double length = 0.0;
 
-  /** \brief Distance of neighboring points, as if they were evenly spread [m]. */
+  /** \brief Distance between neighboring points, as if they were evenly spread [m]. */
   double
   spacing () const
   {
@@ -64,6 +65,7 @@ spreadsOf (const std::vector<PlaneSegment>& planes)
   return spreads;
 }
 
+/** \brief Number of the points of all planes. */
 double
 pointsOn (const std::vector<PlaneSpread>& planes)
 {
@@ -88,20 +90,23 @@ distanceBetween (const PlaneSpread& one, const PlaneSpread& other)
                    std::abs (other.plane.distance (one.centroid)));
 }
 
-/** \param[in] sampled_share share of the survey's points that the sample has: the
- * spacing of all points is that of the sample times the root of this share */
+/** \brief Whether the rms distance of a plane's points is several times its noise and
+ * more than a share of their spacing.
+ * \param[in] noise of the plane [m]; a plane without it is not thick
+ * \param[in] sampled_share share of a survey's points that are in the sample, else 1:
+ * the spacing of all points is that of the sampled ones times the square root of it */
 bool
 isThick (const PlaneSpread& spread,
          const std::optional<double>& noise,
          double sampled_share)
 {
-  return noise && spread.rms > warning_constants.thick_noises * *noise &&
-         spread.rms > warning_constants.min_rms_of_spacing * std::sqrt (sampled_share) *
-                          spread.spacing();
+  return noise && spread.rms > warning_constants.min_noises_of_thick * *noise &&
+         spread.rms > warning_constants.min_spacings_of_thick *
+                          std::sqrt (sampled_share) * spread.spacing();
 }
 
 /** \brief The parameter for thinner planes: half the voxel size for a survey in tiles,
- * else a threshold of thick_noises times the noise.
+ * else a threshold of min_noises_of_thick times the noise.
  * \param[in] noise of the largest thick plane [m] */
 std::string
 fixOfThickPlanes (double noise,
@@ -110,16 +115,20 @@ fixOfThickPlanes (double noise,
 {
   if (tiles)
     return text.of ("voxel-size", roundedLength (0.5 * tiles->voxel_size));
-  return text.of ("threshold", roundedLength (warning_constants.thick_noises * noise));
+  return text.of ("threshold",
+                  roundedLength (warning_constants.min_noises_of_thick * noise));
 }
 
+/** \brief Whether all points are on the plane, as far as single precision tells. */
 bool
 isExact (const PlaneSpread& plane)
 {
-  return plane.points > 0.0 && plane.rms <= warning_constants.max_exact * plane.width;
+  return plane.points > 0.0 &&
+         plane.rms <= warning_constants.max_rms_of_exact * plane.width;
 }
 
-/** \brief Whether two exact planes are levels, one behind the other. */
+/** \brief Whether two exact planes are levels: nearly parallel, one close behind the
+ * other. */
 bool
 areLevels (const PlaneSpread& one, const PlaneSpread& other)
 {
@@ -135,47 +144,53 @@ areLevels (const PlaneSpread& one, const PlaneSpread& other)
          is_behind;
 }
 
-/** \brief Distance to the nearest other level [m]; 0 if there is no other level. */
+/** \brief Distance to the nearest other level [m]; 0 if there is no other level.
+ * \param[in] exact_planes all of them, \p plane as well */
 double
-stepToNextLevel (const PlaneSpread& plane, const std::vector<PlaneSpread>& exact)
+stepToNextLevel (const PlaneSpread& plane, const std::vector<PlaneSpread>& exact_planes)
 {
   double step = 0.0;
-  for (const PlaneSpread& other : exact)
+  for (const PlaneSpread& other : exact_planes)
     if (const double distance = distanceBetween (plane, other);
         areLevels (plane, other) && (step == 0.0 || distance < step))
       step = distance;
   return step;
 }
 
-/** \brief Two planes by their positions in the list, the lower position first. */
+/** \brief Positions of two planes in the list of planes, the lower one first. */
 using PlanePair = std::pair<std::int32_t, std::int32_t>;
 
-/** \brief Numbers of neighbors of points on planes. */
+/** \brief How many neighbors the searched points on planes have. */
 struct NeighborCounts {
-  /** \brief Neighbors on planes. */
+  /** \brief Neighbors that are on planes. */
   std::size_t all = 0;
-  /** \brief Those on another plane that may be the same surface. */
+  /** \brief Mixed neighbors: those on another plane than the point that may be the same
+   * surface. */
   std::size_t mixed = 0;
-  std::map<PlanePair, std::size_t> mixed_by_planes;
+  /** \brief Number of mixed neighbors for each pair of planes that has any. */
+  std::map<PlanePair, std::size_t> mixed_of_planes;
 };
 
-/** \brief Whether a point on one plane may also belong to another plane. */
+/** \brief Whether a point on its \p own plane may also belong to another plane, as both
+ * may be the same surface. */
 bool
 mayBeOnBoth (const Eigen::Vector3d& point,
              const PlaneSpread& own,
              const PlaneSpread& other)
 {
-  const double reach = warning_constants.rms_of_mixed * (own.rms + other.rms);
+  const double max_distance =
+      warning_constants.max_distance_of_mixed * (own.rms + other.rms);
   return areWithin (warning_constants.max_angle_of_mixed, own, other) &&
-         std::abs (other.plane.distance (point)) <= reach;
+         std::abs (other.plane.distance (point)) <= max_distance;
 }
 
+/** \brief Counts the nearest neighbors of some searched_points sampled points. */
 NeighborCounts
 countNeighbors (const LabelledSample& sample, const std::vector<PlaneSpread>& planes)
 {
   const PointTree tree (sample.points);
-  // Evenly spread over the tree, and so over the cloud.
-  const std::size_t step = sample.labels.size() / warning_constants.probes + 1;
+  // The searched points are evenly spread over the order of the tree, and so in space.
+  const std::size_t step = sample.labels.size() / warning_constants.searched_points + 1;
   NeighborCounts counts;
   NearestPoints nearest;
   for (std::size_t position = 0; position < sample.labels.size(); position += step) {
@@ -193,7 +208,7 @@ countNeighbors (const LabelledSample& sample, const std::vector<PlaneSpread>& pl
       if (other == own || !mayBeOnBoth (sample[point], planes[own], planes[other]))
         continue;
       ++counts.mixed;
-      ++counts.mixed_by_planes[std::minmax (own, other)];
+      ++counts.mixed_of_planes[std::minmax (own, other)];
     }
   }
   return counts;
@@ -208,8 +223,8 @@ warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
 {
   const double sampled_share = tiles ? tiles->sampled_share : 1.0;
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
-  double on_thick = 0.0;
-  std::optional<std::size_t> largest;
+  double on_thick = 0.0;              // number of points
+  std::optional<std::size_t> largest; // thick plane, by its position
   for (std::size_t p = 0; p < planes.size(); ++p)
     if (isThick (spreads[p], planes[p].noise, sampled_share)) {
       on_thick += spreads[p].points;
@@ -217,7 +232,7 @@ warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
         largest = p;
     }
   const double on_planes = pointsOn (spreads);
-  if (!largest || on_thick < warning_constants.thick_share * on_planes)
+  if (!largest || on_thick < warning_constants.min_share_on_thick * on_planes)
     return std::nullopt;
   const double noise = *planes[*largest].noise;
   return ResultWarning{
@@ -236,21 +251,22 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
               const ParameterText& text)
 {
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
-  std::vector<PlaneSpread> exact;
-  std::copy_if (spreads.begin(), spreads.end(), std::back_inserter (exact), isExact);
-  // Exact planes in several directions, small ones included, are faces of a model.
-  for (const PlaneSpread& plane : exact)
-    if (!areWithin (warning_constants.max_angle_of_levels, exact.front(), plane))
+  std::vector<PlaneSpread> exact_planes;
+  std::copy_if (
+      spreads.begin(), spreads.end(), std::back_inserter (exact_planes), isExact);
+  // Exact planes that are not parallel, small ones included, are faces of a model.
+  for (const PlaneSpread& plane : exact_planes)
+    if (!areWithin (warning_constants.max_angle_of_levels, exact_planes.front(), plane))
       return std::nullopt;
-  double on_levels = 0.0;
-  std::vector<float> steps;
-  for (const PlaneSpread& plane : exact)
-    if (const double step = stepToNextLevel (plane, exact); step > 0.0) {
+  double on_levels = 0.0;   // number of points
+  std::vector<float> steps; // from each level to the next one [m]
+  for (const PlaneSpread& plane : exact_planes)
+    if (const double step = stepToNextLevel (plane, exact_planes); step > 0.0) {
       on_levels += plane.points;
       steps.push_back (static_cast<float> (step));
     }
   if (steps.size() < warning_constants.min_levels ||
-      on_levels < warning_constants.level_share * pointsOn (spreads))
+      on_levels < warning_constants.min_share_on_levels * pointsOn (spreads))
     return std::nullopt;
   const double step = medianOf (steps);
   const std::string edge = roundedLength (warning_constants.steps_of_voxel * step);
@@ -275,13 +291,16 @@ warnOfMixedLabels (const LabelledSample& sample,
   const NeighborCounts counts = countNeighbors (sample, spreads);
   const auto all = static_cast<double> (counts.all);
   const auto mixed = static_cast<double> (counts.mixed);
-  if (counts.mixed == 0 || mixed < warning_constants.mixed_share * all)
+  if (counts.mixed == 0 || mixed < warning_constants.min_mixed_share * all)
     return std::nullopt;
-  const auto pair = std::max_element (
-      counts.mixed_by_planes.begin(),
-      counts.mixed_by_planes.end(),
-      [] (auto& one, auto& other) { return one.second < other.second; });
-  const auto [first, second] = pair->first;
+  const auto has_fewer_mixed = [] (const auto& one, const auto& other) {
+    return one.second < other.second;
+  };
+  const PlanePair most_mixed = std::max_element (counts.mixed_of_planes.begin(),
+                                                 counts.mixed_of_planes.end(),
+                                                 has_fewer_mixed)
+                                   ->first;
+  const auto [first, second] = most_mixed;
   const double distance = distanceBetween (spreads[first], spreads[second]);
   const std::string fix =
       tiles ? text.of ("voxel-size", roundedLength (2.0 * tiles->voxel_size))

@@ -23,8 +23,8 @@ warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
 
 /** \brief Warns that planes of rms distance 0 lie one behind another, as the levels of
  * a depth image do.
- * \param[in] is_default_search true: the planes are of OPS on neighborhoods or of a
- * survey in tiles, and a voxel size is advised; false: OPS without one is advised */
+ * \param[in] is_default_search whether the planes are of OPS on neighborhoods or of a
+ * survey in tiles: for these a voxel size is advised, for others OPS without one */
 std::optional<ResultWarning>
 warnOfLevels (const std::vector<PlaneSegment>& planes,
               bool is_default_search,

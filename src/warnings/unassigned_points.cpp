@@ -20,8 +20,8 @@ struct OtherSearch {
   std::string advice;
 };
 
-/** \brief Searches that each have the default of one parameter, instead of a value of
- * the user that may leave points out. */
+/** \brief Searches that each have the default of one parameter in place of the given
+ * value. Only parameters whose given values may keep points off planes have one. */
 std::vector<OtherSearch>
 searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
 {
@@ -56,20 +56,22 @@ shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
   return on_planes / all;
 }
 
-/** \brief x, y, z of the points_of_part points on no plane that are nearest to one of
- * them, or of all if there are fewer.
+/** \brief The points on no plane around one of them: the points_per_part nearest ones,
+ * or all if there are fewer.
  * \param[in] unassigned indices of the points on no plane
- * \param[in] center index of that one point in \p points */
+ * \param[in] center index of that one point in \p points
+ * \return x, y, z, x, ... */
 std::vector<float>
-surroundings (const Points& points, const Indices& unassigned, std::uint32_t center)
+unassignedAround (const Points& points, const Indices& unassigned, std::uint32_t center)
 {
   Indices nearest = unassigned;
-  const auto is_nearer = [&, middle = points[center]] (std::uint32_t one,
-                                                       std::uint32_t other) {
-    return (points[one] - middle).squaredNorm() <
-           (points[other] - middle).squaredNorm();
+  const auto is_nearer = [&, position = points[center]] (std::uint32_t one,
+                                                         std::uint32_t other) {
+    return (points[one] - position).squaredNorm() <
+           (points[other] - position).squaredNorm();
   };
-  const std::size_t count = std::min (nearest.size(), warning_constants.points_of_part);
+  const std::size_t count =
+      std::min (nearest.size(), warning_constants.points_per_part);
   std::nth_element (nearest.begin(),
                     nearest.begin() + static_cast<std::ptrdiff_t> (count - 1),
                     nearest.end(),
@@ -82,6 +84,24 @@ surroundings (const Points& points, const Indices& unassigned, std::uint32_t cen
   return positions;
 }
 
+/** \brief Indices in \p points, the finite points of a cloud, of those on no plane.
+ * \param[in] cloud_size number of all points of the cloud */
+Indices
+unassignedPoints (const Points& points,
+                  std::size_t cloud_size,
+                  const std::vector<PlaneSegment>& planes)
+{
+  std::vector<char> is_on_plane (cloud_size, 0);
+  for (const PlaneSegment& plane : planes)
+    for (const pcl::index_t index : plane.inliers)
+      is_on_plane[static_cast<std::size_t> (index)] = 1;
+  Indices unassigned;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (is_on_plane[static_cast<std::size_t> (points.indexOf (i))] == 0)
+      unassigned.push_back (static_cast<std::uint32_t> (i));
+  return unassigned;
+}
+
 /** \brief Whether points on no plane lie on planes if parts of them are searched
  * without the other points, as the sides of a thin wall do and trees do not. If so, a
  * search of the whole cloud is worth its time. */
@@ -91,24 +111,17 @@ areUnassignedPointsFlat (const CloudView& cloud,
                          const OpsParameters& parameters)
 {
   const Points points = finitePoints (cloud, parameters.threads);
-  std::vector<char> is_on_plane (cloud.size, 0);
-  for (const PlaneSegment& plane : planes)
-    for (const pcl::index_t index : plane.inliers)
-      is_on_plane[static_cast<std::size_t> (index)] = 1;
-  Indices unassigned;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (is_on_plane[static_cast<std::size_t> (points.indexOf (i))] == 0)
-      unassigned.push_back (static_cast<std::uint32_t> (i));
+  const Indices unassigned = unassignedPoints (points, cloud.size, planes);
   const std::size_t wanted_parts = warning_constants.searched_parts;
   const Indices centers = sampleIndices (selected (points, unassigned), wanted_parts);
-  for (std::size_t k = 0; k < std::min (centers.size(), wanted_parts); ++k) {
+  for (std::size_t i = 0; i < std::min (centers.size(), wanted_parts); ++i) {
     const std::vector<float> part =
-        surroundings (points, unassigned, unassigned[centers[k]]);
-    constexpr std::size_t x_offset = 0;
-    constexpr std::size_t point_step = 3 * sizeof (float);
+        unassignedAround (points, unassigned, unassigned[centers[i]]);
+    constexpr std::size_t x_offset = 0;                    // [bytes]
+    constexpr std::size_t point_step = 3 * sizeof (float); // [bytes]
     const CloudView view (part.data(), x_offset, point_step, part.size() / 3);
     if (shareOnPlanes (detectPlanes (view, parameters), view.size) <
-        warning_constants.min_share_of_part)
+        warning_constants.min_share_in_part)
       return false;
   }
   return !centers.empty();
@@ -123,24 +136,24 @@ warnOfUnassignedPoints (const CloudView& cloud,
                         const OpsParameters& search,
                         const ParameterText& text)
 {
-  if (sample.shareOnNoPlane() < warning_constants.none_share ||
-      sample.finite > warning_constants.max_searched_again)
+  if (sample.shareOnNoPlane() < warning_constants.min_share_on_none ||
+      sample.finite_points > warning_constants.max_searched_again)
     return std::nullopt;
-  OpsParameters unobserved = search; // users see the stages of their own search alone
-  unobserved.on_stage = {};
-  std::vector<OtherSearch> searches = searchesWithDefaults (unobserved, text);
+  OpsParameters given = search;
+  given.on_stage = {}; // users see the stages of their own search alone
+  std::vector<OtherSearch> searches = searchesWithDefaults (given, text);
   if (search.sampling_rate < warning_constants.high_sampling_rate) {
     const std::string rate = numberText (warning_constants.high_sampling_rate);
-    OtherSearch finer{unobserved, "give " + text.of ("sampling-rate", rate)};
+    OtherSearch finer{given, "give " + text.of ("sampling-rate", rate)};
     finer.parameters.sampling_rate = warning_constants.high_sampling_rate;
     if (areUnassignedPointsFlat (cloud, planes, finer.parameters))
       searches.push_back (finer);
   }
-  const double share_before = shareOnPlanes (planes, sample.finite);
+  const double share_before = shareOnPlanes (planes, sample.finite_points);
   for (const OtherSearch& other : searches) {
     const double share =
-        shareOnPlanes (detectPlanes (cloud, other.parameters), sample.finite);
-    if (share >= share_before + warning_constants.gained_share)
+        shareOnPlanes (detectPlanes (cloud, other.parameters), sample.finite_points);
+    if (share >= share_before + warning_constants.min_gained_share)
       return ResultWarning{"unassigned-points",
                            percentText (sample.shareOnNoPlane()) +
                                " of the points are on no plane; for " +
@@ -155,24 +168,25 @@ warnOfUnassignedPoints (const LabelledSample& sample,
                         const ParameterText& text)
 {
   const double share_on_no_plane = sample.shareOnNoPlane();
-  if (share_on_no_plane < warning_constants.none_share || tiles.places_on_none.empty())
+  if (share_on_no_plane < warning_constants.min_share_on_none ||
+      tiles.places_on_none.empty())
     return std::nullopt;
   OpsParameters parameters;
   parameters.surfels.voxel_size = 0.5 * tiles.voxel_size;
-  double on_planes = 0.0;
+  double mean_share = 0.0; // of the points of a part that are on planes
   for (const CloudView& part : tiles.places_on_none) {
     const double share = shareOnPlanes (detectPlanes (part, parameters), part.size);
-    if (share < warning_constants.min_share_of_part)
+    if (share < warning_constants.min_share_in_part)
       return std::nullopt;
-    on_planes += share / static_cast<double> (tiles.places_on_none.size());
+    mean_share += share / static_cast<double> (tiles.places_on_none.size());
   }
-  const double gained = on_planes * share_on_no_plane;
-  if (gained < warning_constants.gained_share)
+  const double gained_share = mean_share * share_on_no_plane;
+  if (gained_share < warning_constants.min_gained_share)
     return std::nullopt;
   return ResultWarning{
       "unassigned-points",
       percentText (share_on_no_plane) + " of the points are on no plane; for some " +
-          percentText (1.0 - share_on_no_plane + gained) + " on planes give " +
+          percentText (1.0 - share_on_no_plane + gained_share) + " on planes give " +
           text.of ("voxel-size", roundedLength (*parameters.surfels.voxel_size))};
 }
 

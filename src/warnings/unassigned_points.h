@@ -12,9 +12,10 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Warns that many points are on no plane although another value of a parameter
- * puts them on planes. Further searches find this out; larger clouds than
- * max_searched_again are not searched again, and get no warning. */
+/** \brief Warns that many points are on no plane although a search with another value
+ * of a parameter puts them on planes. Clouds of more than 100,000 finite points are not
+ * searched again, and get no warning.
+ * \param[in] search the parameters that the planes were found with */
 std::optional<ResultWarning>
 warnOfUnassignedPoints (const CloudView& cloud,
                         const LabelledSample& sample,
@@ -22,8 +23,8 @@ warnOfUnassignedPoints (const CloudView& cloud,
                         const OrientedPointSamplingParameters& search,
                         const ParameterText& text);
 
-/** \brief The same for a survey: searches \ref TiledSearch::places_on_none with voxels
- * of half the edge. */
+/** \brief The same for a survey: searches only the clouds of \ref
+ * TiledSearch::places_on_none, with voxels of half the edge. */
 std::optional<ResultWarning>
 warnOfUnassignedPoints (const LabelledSample& sample,
                         const TiledSearch& tiles,

@@ -98,8 +98,8 @@ struct RGB {
   std::uint8_t a = 255;
 };
 
-/** \brief Colors in place of PCL's table of them: fully saturated ones, with hues a
- * golden section of the color circle apart, and every other one darker. */
+/** \brief Colors in place of PCL's table. They are fully saturated, their hues are a
+ * golden section of the color circle apart, and every other color is darker. */
 struct GlasbeyLUT {
   static constexpr std::size_t
   size ()
@@ -161,7 +161,7 @@ template <typename Number>
 Number
 deg2rad (Number degrees)
 {
-  return degrees * static_cast<Number> (0.017453292519943295);
+  return degrees * static_cast<Number> (0.017453292519943295); // pi / 180
 }
 
 using std::make_shared;
@@ -210,7 +210,7 @@ struct PointCloud {
   Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
 };
 
-// Types that the detector classes name. Without PCL nothing makes objects of them.
+// Types that the detector classes name. Builds without PCL make no objects of them.
 template <typename PointT>
 class PCLBase;
 template <typename PointT>
@@ -227,7 +227,7 @@ template <typename PointT>
 class Search;
 }
 
-// Without PCL there are no messages of it to silence.
+// Does nothing: without PCL there are no messages of PCL to silence.
 namespace console {
 constexpr int L_ALWAYS = 0;
 inline void

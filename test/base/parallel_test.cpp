@@ -29,9 +29,11 @@ constexpr bool has_thread_sanitizer = true;
 constexpr bool has_thread_sanitizer = false;
 #endif
 
-using Piece = std::pair<std::size_t, std::size_t>; // begin and end
+/** \brief The first item of a piece and the item after its last one. */
+using Piece = std::pair<std::size_t, std::size_t>;
 
-/** \brief The pieces that parallelFor makes of \p size items, in ascending order. */
+/** \brief The pieces that parallelFor makes of \p size items, in ascending order.
+ * \param[in] grain number of items of a piece */
 std::vector<Piece>
 piecesOf (unsigned threads, std::size_t size, std::size_t grain)
 {
@@ -49,20 +51,22 @@ piecesOf (unsigned threads, std::size_t size, std::size_t grain)
 
 TEST (ParallelFor, CoversEveryItemOnce)
 {
+  constexpr std::size_t grain = 4;
   const std::vector<Piece> expected{{0, 4}, {4, 8}, {8, 10}};
   for (const unsigned threads : {0u, 1u, 2u, 4u})
-    EXPECT_EQ (piecesOf (threads, 10, 4), expected) << threads << " threads";
-  EXPECT_TRUE (piecesOf (2, 0, 4).empty());
+    EXPECT_EQ (piecesOf (threads, 10, grain), expected) << threads << " threads";
+  EXPECT_TRUE (piecesOf (2, 0, grain).empty()) << "of no items";
 }
 
 TEST (ParallelFor, RunsOnAllThreadsAtOnceIfTheyAreFree)
 {
-  constexpr unsigned threads = 6; // more than the tests above start
+  constexpr unsigned threads = 6; // more than other tests need, so that some start
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds (30);
   std::atomic<unsigned> arrived{0}, threads_that_met_all{0};
   parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {
-    // No thread leaves before all threads are there.
-    for (++arrived; arrived < threads && std::chrono::steady_clock::now() < deadline;)
+    ++arrived;
+    // No thread leaves before all threads have arrived.
+    while (arrived < threads && std::chrono::steady_clock::now() < deadline)
       std::this_thread::yield();
     threads_that_met_all += arrived == threads;
   });
@@ -73,19 +77,21 @@ TEST (ParallelFor, HasThreadsOfItsOwnInAProcessThatIsForkedOff)
 {
   if (has_thread_sanitizer)
     GTEST_SKIP() << "the sanitizer ends a forked process that starts threads";
-  parallelFor (2, 2, 1, [] (std::size_t, std::size_t) {});
+  // Starts threads in this process, which its child does not have.
+  const unsigned threads = 2;
+  parallelFor (threads, 2, 1, [] (std::size_t, std::size_t) {});
   const pid_t child = fork();
   if (child == 0) {
     std::atomic<int> arrived{0};
     std::promise<void> both_arrived;
-    std::shared_future<void> met = both_arrived.get_future().share();
-    parallelFor (2, 2, 1, [&] (std::size_t, std::size_t) {
+    const std::shared_future<void> meeting = both_arrived.get_future().share();
+    parallelFor (threads, 2, 1, [&] (std::size_t, std::size_t) {
       if (++arrived == 2)
         both_arrived.set_value();
-      met.wait_for (std::chrono::seconds (20));
+      meeting.wait_for (std::chrono::seconds (20)); // for the other thread
     });
     const bool have_met =
-        met.wait_for (std::chrono::seconds (0)) == std::future_status::ready;
+        meeting.wait_for (std::chrono::seconds (0)) == std::future_status::ready;
     _exit (have_met && arrived == 2 ? 0 : 1);
   }
   int status = -1;
@@ -93,7 +99,7 @@ TEST (ParallelFor, HasThreadsOfItsOwnInAProcessThatIsForkedOff)
   EXPECT_EQ (status, 0);
 }
 
-TEST (ParallelFor, TakesAnyNumberOfThreads)
+TEST (ParallelFor, TakesMoreThreadsThanAMachineHas)
 {
   EXPECT_EQ (piecesOf (UINT_MAX, 1000, 1).size(), 1000u);
   EXPECT_EQ (piecesOf (1000000, 10000, 1).size(), 10000u);
@@ -101,17 +107,18 @@ TEST (ParallelFor, TakesAnyNumberOfThreads)
 
 TEST (ParallelFor, DoesNotWaitForThreadsThatAreBusy)
 {
-  // The threads are busy, as on a machine with other programs.
+  // All workers wait until the test is over, as on a machine with other programs.
   constexpr unsigned threads = 4;
   std::promise<void> all_done;
-  const std::shared_future<void> until = all_done.get_future().share();
-  callOnWorkers (threads, [until] { until.wait(); });
+  const std::shared_future<void> end_of_test = all_done.get_future().share();
+  callOnWorkers (threads, [end_of_test] { end_of_test.wait(); });
   EXPECT_EQ (piecesOf (threads, 1000, 1).size(), 1000u);
   all_done.set_value();
 }
 
-TEST (ParallelFor, PassesOnWhatABodyThrows)
+TEST (ParallelFor, RethrowsWhatItsBodyThrows)
 {
+  // Pieces of one item.
   const auto body = [] (std::size_t begin, std::size_t) {
     if (begin == 50)
       throw std::runtime_error ("piece 50");
@@ -120,10 +127,10 @@ TEST (ParallelFor, PassesOnWhatABodyThrows)
     EXPECT_THROW (parallelFor (threads, 100, 1, body), std::runtime_error);
 }
 
-TEST (ParallelPieces, ComeInTheOrderOfThePiecesForAnyNumberOfThreads)
+TEST (ParallelPieces, ReturnResultsInTheOrderOfThePiecesForAnyNumberOfThreads)
 {
   for (const unsigned threads : {1u, 2u, 8u}) {
-    const auto ends = parallelChunks (
+    const auto ends = parallelPieces (
         threads, 10, 4, [] (std::size_t, std::size_t end) { return end; });
     EXPECT_EQ (ends, (std::vector<std::size_t>{4, 8, 10}));
   }

@@ -21,16 +21,17 @@ struct Opening {
 };
 
 constexpr double grid_spacing = 5_cm;
-constexpr double half_spacing = 0.025; // from the rim to the first points [m]
+constexpr double half_spacing = 0.025; // from the rim of a rectangle to points [m]
 
-/** \brief Horizontal and vertical rectangles. Each is a grid of points 5 cm apart and
- * a plane with a kind. */
+/** \brief Level rectangles and walls. Each is a grid of points 5 cm apart, and a plane
+ * with a kind. */
 struct Building {
   pcl::PointCloud<pcl::PointXYZ> cloud = {};
   std::vector<PlaneSegment> planes = {};
   std::vector<PlaneKind> kinds = {};
 
-  /** \brief Adds points, and a plane that all of them are on. */
+  /** \brief Adds points, and a plane of this kind and normal with all of them as its
+   * inliers. */
   Building&
   add (PlaneKind kind, const Vector3d& normal, const std::vector<Vector3d>& points)
   {
@@ -44,7 +45,7 @@ struct Building {
     return *this;
   }
 
-  /** \brief Adds a level rectangle. Its normal points up, that of a ceiling down.
+  /** \brief Adds a level rectangle. The normal of a ceiling points down, any other up.
    * \param[in] low,high corners with the lowest and with the highest x and y [m] */
   Building&
   level (PlaneKind kind, double height, const Vector2d& low, const Vector2d& high)
@@ -66,18 +67,19 @@ struct Building {
   {
     const Vector2d along = (to - from).normalized();
     std::vector<Vector3d> points;
-    for (double s = half_spacing; s < (to - from).norm(); s += grid_spacing)
+    for (double at = half_spacing; at < (to - from).norm(); at += grid_spacing)
       for (double z = half_spacing; z < 2.5; z += grid_spacing) {
         const auto isInOpening = [&] (const Opening& opening) {
-          return s > opening.begin && s < opening.end && z > opening.sill &&
+          return at > opening.begin && at < opening.end && z > opening.sill &&
                  z < opening.head;
         };
         if (std::none_of (openings.begin(), openings.end(), isInOpening))
-          points.emplace_back (from.x() + s * along.x(), from.y() + s * along.y(), z);
+          points.emplace_back (from.x() + at * along.x(), from.y() + at * along.y(), z);
       }
     return add (PlaneKind::Wall, {-along.y(), along.x(), 0.0}, points);
   }
 
+  /** \brief The floor plan that is found in the building. */
   FloorPlan
   plan (const FloorPlanParameters& parameters = {}) const
   {
@@ -85,7 +87,9 @@ struct Building {
   }
 };
 
+/** \brief 0.9 m wide, from the floor to 2.05 m. */
 constexpr Opening door = {1.0, 1.9, 0.0, 2.05};
+/** \brief 1.5 m wide, 0.9 m to 2.1 m over the floor. */
 constexpr Opening window = {1.0, 2.5, 0.9, 2.1};
 
 /** \brief Floor, ceiling and four walls from (0, 0) to (4, 3), the first with a door.
@@ -101,8 +105,8 @@ roomOf4By3 ()
   return room;
 }
 
-/** \brief Two rooms of 4 m x 3 m and a wall of 10 cm between them, seen from both
- * sides, with an opening. */
+/** \brief Two rooms of 4 m x 3 m, one from x = 0 to 4 m and one from 4.1 m to 8.1 m.
+ * Both sides of the wall between them were seen, and both have the opening. */
 inline Building
 twoRooms (const Opening& opening = door)
 {

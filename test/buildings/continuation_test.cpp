@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 namespace {
 
 /** \brief A rectangle that is level along x; its corner of least x and y is (x, y, z).
- * \param[in] depth extent along y, seen from above [m]
- * \param[in] rise difference of the heights of its ends along y [m] */
+ * \param[in] width,depth extents along x and y, seen from above [m]
+ * \param[in] rise how much higher the end of largest y is than that of least y [m] */
 PlaneFromAbove
 rectangle (double x, double y, double z, double width, double depth, double rise = 0.0)
 {
@@ -28,9 +28,8 @@ rectangle (double x, double y, double z, double width, double depth, double rise
   return plane;
 }
 
-/** \brief Whether a level square is a part of the ground, because the ground goes on
- * beside it in one of the other planes. Its height is 5 m, its x and y go from 0 to 10
- * m. */
+/** \brief Whether a level square at a height of 5 m, with x and y from 0 to 10 m, is a
+ * part of the ground: one of the other planes continues it. */
 bool
 isSquareContinued (std::vector<PlaneFromAbove> others)
 {
@@ -59,9 +58,10 @@ TEST (Continuation, NeedsAPlaneWithinAMeterOfTheHeight)
 TEST (Continuation, NeedsAPlaneThatIsAtMost20DegreesSteeper)
 {
   const auto isContinuedBySlope = [] (double degrees) {
-    const double rise = 8.0 * std::tan (degrees * M_PI / 180.0);
+    constexpr double depth = 8.0;
+    const double rise = depth * std::tan (degrees * M_PI / 180.0);
     // The rectangle begins at the side y = 10 m of the square, at the same height.
-    return isSquareContinued ({rectangle (0, 10, 5, 10, 8, rise)});
+    return isSquareContinued ({rectangle (0, 10, 5, 10, depth, rise)});
   };
   EXPECT_TRUE (isContinuedBySlope (19.0));
   EXPECT_FALSE (isContinuedBySlope (21.0)) << "the other side of a gable";
@@ -75,9 +75,10 @@ TEST (Continuation, NeedsAPlaneOf2SquareMeters)
 
 TEST (Continuation, IsNotWhereGroundFarBelowGoesOnUnderneath)
 {
-  const auto isContinuedOverGround = [] (double depth) {
+  // A plane of the same height beside the square, and ground below both of them.
+  const auto isContinuedOverGround = [] (double drop) {
     return isSquareContinued (
-        {rectangle (10, 0, 5, 10, 10), rectangle (-20, -20, 5 - depth, 60, 60)});
+        {rectangle (10, 0, 5, 10, 10), rectangle (-20, -20, 5 - drop, 60, 60)});
   };
   EXPECT_FALSE (isContinuedOverGround (2.0));
   EXPECT_TRUE (isContinuedOverGround (1.8));
@@ -85,16 +86,19 @@ TEST (Continuation, IsNotWhereGroundFarBelowGoesOnUnderneath)
 
 TEST (Continuation, IsNotWhereMoreThanTwiceAsMuchOfTheOutlineIsAtAStep)
 {
-  // A plane of the same height lies along a part of the outline, and a step along
-  // another part: as long as the first one, or more than twice as long.
-  const PlaneFromAbove narrow_flush = rectangle (14, 5, 5, 10, 0.5);
+  // A plane of the same height lies beside one side of the square, and another plane, 5
+  // m lower, beside the opposite side.
   const PlaneFromAbove step = rectangle (-14, -2, 0, 10.1, 14);
-  EXPECT_TRUE (isSquareContinued ({rectangle (10.1, 0, 5, 10, 10), step}));
-  EXPECT_FALSE (isSquareContinued ({narrow_flush, step}));
+  const PlaneFromAbove as_long_as_the_step = rectangle (10.1, 0, 5, 10, 10);
+  const PlaneFromAbove far_shorter_than_the_step = rectangle (14, 5, 5, 10, 0.5);
+  EXPECT_TRUE (isSquareContinued ({as_long_as_the_step, step}));
+  EXPECT_FALSE (isSquareContinued ({far_shorter_than_the_step, step}));
 }
 
 TEST (Continuation, IsOnATerraceOfASlope)
 {
+  // Both parts of the slope rise along y by 12 m on 20 m. The one uphill begins 3 m
+  // above the square, the one downhill ends 3 m below.
   const PlaneFromAbove uphill = rectangle (-5, 10, 8, 20, 20, 12);
   const PlaneFromAbove downhill = rectangle (-5, -20, -10, 20, 20, 12);
   EXPECT_TRUE (isSquareContinued ({uphill, downhill}));
@@ -102,8 +106,9 @@ TEST (Continuation, IsOnATerraceOfASlope)
 
 TEST (Continuation, IsNotOnARoofBesideAHigherOne)
 {
+  const PlaneFromAbove higher_roof = rectangle (10, 0, 8, 10, 10);
   const PlaneFromAbove ground = rectangle (-20, -20, 0, 60, 60);
-  EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 8, 10, 10), ground}));
+  EXPECT_FALSE (isSquareContinued ({higher_roof, ground}));
 }
 
 TEST (Continuation, IsNotBesideTheRidgeOfAnotherRoof)
@@ -116,6 +121,7 @@ TEST (Continuation, IsNotBesideTheRidgeOfAnotherRoof)
 
 TEST (Continuation, IsNotWhereAPlaneIsHigherByLessThanHeadroom)
 {
+  // The headroom is 1.9 m.
   EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 7, 10, 10)}));
   EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 6.8, 10, 10)}));
 }
@@ -132,32 +138,32 @@ TEST (Continuation, IsTheSameInEitherOrderOfCorners)
 
 TEST (Continuation, CountsAllSidesAlike)
 {
-  // A plane at the height of the square on each of its sides. Some are lowered to the
-  // ground: three of four or two of four.
-  const std::vector<PlaneFromAbove> flush{rectangle (0, -10, 5, 10, 9),
-                                          rectangle (11, 0, 5, 9, 10),
-                                          rectangle (0, 11, 5, 10, 9),
-                                          rectangle (-10, 0, 5, 9, 10)};
+  // Beside each side of the square a plane, at the height of the square or at 0. If
+  // only one is at the height of the square, it is not continued; if two are, it is.
+  const std::vector<PlaneFromAbove> all_flush{rectangle (0, -10, 5, 10, 9),
+                                              rectangle (11, 0, 5, 9, 10),
+                                              rectangle (0, 11, 5, 10, 9),
+                                              rectangle (-10, 0, 5, 9, 10)};
   for (std::size_t side = 0; side < 4; ++side) {
-    std::vector<PlaneFromAbove> one_flush = flush;
-    std::vector<PlaneFromAbove> two_flush = flush;
+    std::vector<PlaneFromAbove> one_flush = all_flush;
+    std::vector<PlaneFromAbove> two_flush = all_flush;
     for (std::size_t i = 1; i < 4; ++i) {
-      PlaneFromAbove& ground = one_flush[(side + i) % 4];
-      ground.center.z() = 0.0;
-      for (Vector3d& corner : ground.hull)
+      PlaneFromAbove& lowered = one_flush[(side + i) % 4];
+      lowered.center.z() = 0.0;
+      for (Vector3d& corner : lowered.hull)
         corner.z() = 0.0;
       if (i > 1)
-        two_flush[(side + i) % 4] = ground;
+        two_flush[(side + i) % 4] = lowered;
     }
     EXPECT_FALSE (isSquareContinued (one_flush)) << side;
     EXPECT_TRUE (isSquareContinued (two_flush)) << side;
   }
 }
 
-TEST (Lowest, IsWhatHasNoPlaneBelowMostOfIt)
+TEST (IsLowest, IsTrueOfAPlaneWithoutAnotherFarBelowMostOfIt)
 {
-  // A square of 10 m with another plane below a part of it, this wide and this far
-  // below.
+  // A square of 10 m x 10 m, and below it, by a drop, another plane of this width and
+  // of the same depth.
   const auto isSquareLowest = [] (double width, double drop) {
     constexpr double min_drop = 1.9;
     const std::vector<PlaneFromAbove> planes{rectangle (0, 0, 5, 10, 10),
@@ -166,5 +172,5 @@ TEST (Lowest, IsWhatHasNoPlaneBelowMostOfIt)
   };
   EXPECT_TRUE (isSquareLowest (4.0, 5.0));
   EXPECT_FALSE (isSquareLowest (6.0, 5.0));
-  EXPECT_TRUE (isSquareLowest (6.0, 1.8)) << "less far below than counts";
+  EXPECT_TRUE (isSquareLowest (6.0, 1.8)) << "the drop is less than min_drop";
 }

@@ -6,7 +6,7 @@
 
 namespace {
 
-/** \brief The points of a grid 5 cm apart on an upright rectangle along the x axis.
+/** \brief The points of a grid, 5 cm apart, on an upright rectangle at this y.
  * \param[in] low,high smallest and largest x and z [m] */
 std::vector<Vector3d>
 uprightAlongX (double y, const Vector2d& low, const Vector2d& high)
@@ -36,11 +36,11 @@ TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
   ASSERT_EQ (plan.walls.size(), 4u);
   EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_mm) << "from corner to corner";
   ASSERT_EQ (openingsOf (plan), 1u);
-  const PlanOpening& gap = plan.walls[0].openings.at (0);
-  EXPECT_NEAR (gap.width(), 0.9_m, 6_cm);
-  EXPECT_NEAR (gap.from.x(), 1_m, 3_cm);
-  EXPECT_FALSE (gap.sill) << "a door";
-  EXPECT_NEAR (gap.head.value_or (0.0), 2.05, 6_cm);
+  const PlanOpening& found_door = plan.walls[0].openings.at (0);
+  EXPECT_NEAR (found_door.width(), 0.9_m, 6_cm);
+  EXPECT_NEAR (found_door.from.x(), 1_m, 3_cm);
+  EXPECT_FALSE (found_door.sill);
+  EXPECT_NEAR (found_door.head.value_or (0.0), 2.05, 6_cm);
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
   EXPECT_EQ (plan.rooms[0].rings.at (0).size(), 4u);
@@ -52,7 +52,7 @@ TEST (FloorPlan, HasTheHeightOfMostOfTheFloorWhereverMostPointsAre)
 {
   Building room = roomOf4By3();
   // A corner of the floor, near the sensor, that drift has lowered.
-  std::vector<Vector3d> dense;
+  std::vector<Vector3d> dense; // a square meter with more points than the whole floor
   for (double x = 0.005; x < 1.0; x += 1_cm)
     for (double y = 0.005; y < 1.0; y += 1_cm)
       dense.emplace_back (x, y, -4_cm);
@@ -66,13 +66,14 @@ TEST (FloorPlan, HasTheHeightOfMostOfTheFloorWhereverMostPointsAre)
 
 TEST (FloorPlan, OfAWallWithAWindowSaysWhereItsSillAndHeadAre)
 {
-  Building house = roomOf4By3();
+  Building house =
+      roomOf4By3(); // with four walls; the one with the window is the fifth
   house.wall ({0, 9}, {4, 9}, {window});
   const FloorPlan plan = house.plan();
-  const PlanOpening& gap = plan.walls.at (4).openings.at (0);
-  EXPECT_NEAR (gap.width(), 1.5_m, 6_cm);
-  EXPECT_NEAR (gap.sill.value_or (0.0), 0.9_m, 6_cm);
-  EXPECT_NEAR (gap.head.value_or (0.0), 2.1_m, 6_cm);
+  const PlanOpening& found_window = plan.walls.at (4).openings.at (0);
+  EXPECT_NEAR (found_window.width(), 1.5_m, 6_cm);
+  EXPECT_NEAR (found_window.sill.value_or (0.0), 0.9_m, 6_cm);
+  EXPECT_NEAR (found_window.head.value_or (0.0), 2.1_m, 6_cm);
 }
 
 TEST (FloorPlan, OfAnUpperStoryHasSillsOverItsFloor)
@@ -84,29 +85,32 @@ TEST (FloorPlan, OfAnUpperStoryHasSillsOverItsFloor)
   for (PlaneSegment& plane : house.planes)
     plane.moveBy ({0, 0, 6});
   const FloorPlan plan = house.plan();
-  const PlanOpening& gap = plan.walls.at (4).openings.at (0);
-  EXPECT_NEAR (gap.sill.value_or (0.0), 0.9_m, 6_cm);
-  EXPECT_NEAR (gap.head.value_or (0.0), 2.1_m, 6_cm);
+  const PlanOpening& found_window = plan.walls.at (4).openings.at (0);
+  EXPECT_NEAR (found_window.sill.value_or (0.0), 0.9_m, 6_cm);
+  EXPECT_NEAR (found_window.head.value_or (0.0), 2.1_m, 6_cm);
 }
 
-TEST (FloorPlan, HasPartsOfWallsBetweenOpenings)
+TEST (FloorPlan, HasSolidPartsOfWallsBesideOpenings)
 {
   const auto parts = roomOf4By3().plan().walls.at (0).solidParts();
   ASSERT_EQ (parts.size(), 2u);
-  EXPECT_NEAR (parts[0].second.x(), 1_m, 3_cm);
-  EXPECT_NEAR (parts[1].first.x(), 1.9_m, 3_cm);
-  EXPECT_NEAR (parts[1].second.x(), 4_m, 1_mm);
+  const auto& [begin_of_wall, begin_of_door] = parts[0];
+  const auto& [end_of_door, end_of_wall] = parts[1];
+  EXPECT_NEAR (begin_of_door.x(), 1_m, 3_cm);
+  EXPECT_NEAR (end_of_door.x(), 1.9_m, 3_cm);
+  EXPECT_NEAR (end_of_wall.x(), 4_m, 1_mm);
 }
 
-TEST (FloorPlan, HasNoOpeningWhereTheCutPassesOverIt)
+TEST (FloorPlan, HasNoDoorThatEndsBelowTheCut)
 {
-  FloorPlanParameters high;
-  high.cut_height = 2.3_m;
-  EXPECT_EQ (openingsOf (roomOf4By3().plan (high)), 0u);
+  FloorPlanParameters above_door; // which ends at 2.05 m
+  above_door.cut_height = 2.3_m;
+  EXPECT_EQ (openingsOf (roomOf4By3().plan (above_door)), 0u);
 }
 
-TEST (FloorPlan, OfARoomWithACupboardUpToItsWallIsThatOfTheRoom)
+TEST (FloorPlan, OfARoomWithACupboardAtItsWallIsThatOfTheRoom)
 {
+  // The front of the cupboard is 2 m high and 62 cm before the wall at x = 4 m.
   Building room = roomOf4By3();
   std::vector<Vector3d> front;
   for (double y = 0.025; y < 3.0; y += 5_cm)
@@ -121,6 +125,7 @@ TEST (FloorPlan, OfARoomWithACupboardUpToItsWallIsThatOfTheRoom)
 
 TEST (FloorPlan, HasNoOpeningBehindFurniture)
 {
+  // A piece before the door may hide a part of the wall.
   Building furnished = roomOf4By3();
   furnished.add (
       PlaneKind::Other, Vector3d::UnitY(), uprightAlongX (0.4, {0.9, 0.0}, {2.0, 2.0}));
@@ -139,11 +144,11 @@ TEST (FloorPlan, HasAnOpeningBehindFurnitureWhereAnythingIsSeenThroughIt)
   EXPECT_EQ (openingsOf (furnished.plan()), 1u);
 }
 
-TEST (FloorPlan, HasNoThicknessBetweenFrontsThatFaceTheSameWay)
+TEST (FloorPlan, HasNoThicknessBetweenWallsThatFaceTheSameWay)
 {
-  Building fronts;
-  fronts.wall ({0, 0}, {4, 0}).wall ({0, -0.2}, {4, -0.2});
-  const FloorPlan plan = fronts.plan();
+  Building walls;
+  walls.wall ({0, 0}, {4, 0}).wall ({0, -0.2}, {4, -0.2});
+  const FloorPlan plan = walls.plan();
   ASSERT_EQ (plan.walls.size(), 2u);
   for (const PlanWall& wall : plan.walls)
     EXPECT_FALSE (wall.thickness);
@@ -160,9 +165,9 @@ TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
 
 TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
 {
-  // An opening from x = 1 m to 2.5 m. A counter, at the height of the cut, has its back
-  // edge in the plane of the wall: from x = 1.4 m to 2.1 m there are points amid the
-  // opening.
+  // A window from x = 1 m to 2.5 m, with a pane. A counter at the height of the cut has
+  // its back edge in the plane of the wall: from x = 1.4 m to 2.1 m there are points in
+  // the window.
   Building room;
   room.wall ({0, 0},
              {4, 0},
@@ -192,7 +197,8 @@ TEST (FloorPlan, HasNoOpeningWhereAnotherPlaneFillsTheGap)
 
 TEST (FloorPlan, HasNoRoomBetweenTheTwoSidesOfAWall)
 {
-  // The wall is 7 m long, and the floors end exactly at its sides.
+  // Two rooms of 7 m x 3 m. The wall between them is 7 m long, and the floors end
+  // exactly at its sides.
   for (const double thickness : {0.15, 0.3}) {
     Building flat;
     for (const double y : {0.0, 3.0 + thickness}) {
@@ -215,7 +221,7 @@ TEST (FloorPlan, HasNoOpeningWhereTheOtherSideOfAWallWasSeen)
   EXPECT_EQ (openingsOf (flat.plan()), 0u);
 }
 
-TEST (FloorPlan, DrawsEndsOfWallsToTheCornersBetween)
+TEST (FloorPlan, DrawsEndsOfWallsToTheirCommonCorners)
 {
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
@@ -245,8 +251,8 @@ TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
   EXPECT_EQ (thick, 2u);
 }
 
-/** \brief Two rooms of 4 m by 3 m beside each other, of whose common wall, 20 cm thick,
- * 1.2 m were seen from both sides; the rest is missing. */
+/** \brief Two rooms of 4 m x 3 m beside each other with a wall between them, 20 cm
+ * thick. Of this wall 1.2 m were seen, from both sides. */
 Building
 twoRoomsWithAPieceOfWall ()
 {
@@ -274,7 +280,7 @@ TEST (FloorPlan, HasOneRoomWhereTheFloorGoesOnBesideAPieceOfWall)
   flat.level (PlaneKind::Floor, 0.0, {4, 1.2}, {4.2, 3});
   const FloorPlan plan = flat.plan();
   ASSERT_EQ (plan.rooms.size(), 1u);
-  // The area includes the inside of the piece of wall, as no other wall ends there.
+  // The area includes the inside of the piece of wall: no wall closes its end.
   EXPECT_NEAR (plan.rooms[0].area, 8.2 * 3.0, 0.01);
 }
 
@@ -282,7 +288,7 @@ TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
 {
   Building flat = twoRooms();
   const FloorPlan before = flat.plan();
-  // As if all planes had been seen from far away, where x and y are below 0.
+  // As if all planes had been seen from far away, from a position with x and y below 0.
   for (PlaneSegment& plane : flat.planes)
     if (plane.normal.dot (Vector3d (1.0, 0.5, 0.0)) > 0.0)
       plane.normal = -plane.normal;
@@ -325,7 +331,7 @@ TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
 
 TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
 {
-  // Six points on a square meter, as in a survey from the air.
+  // Six points per square meter, as in a survey from the air.
   Building house;
   std::vector<Vector3d> roof;
   for (double x = 0.2; x < 8.0; x += 40_cm)
@@ -339,9 +345,9 @@ TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
   EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
 }
 
-TEST (FloorPlan, HasARoomWithoutCeilingUnderAPieceThatSlopes)
+TEST (FloorPlan, HasAWholeRoomThoughASlopingPieceInItIsNamedRoof)
 {
-  // A lamp or a bulkhead, which is named a roof where no ceiling was seen.
+  // A lamp or a bulkhead is named a roof if no ceiling was seen.
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 6});
   std::vector<Vector3d> piece;
@@ -372,9 +378,9 @@ TEST (FloorPlan, OfAHouseWithEavesOnItsGroundHasTheRoomUnderTheRoof)
   EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
 }
 
-TEST (FloorPlan, HasARoomUpToAWallBehindAFloorThatWasNotSeen)
+TEST (FloorPlan, HasARoomUpToAWallThoughTheFloorBeforeItWasNotSeen)
 {
-  // The last 0.3 m lie in the shadow of a bench.
+  // The last 0.3 m of the floor lie in the shadow of a bench, whose front was seen.
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 2.7});
   room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
@@ -385,10 +391,10 @@ TEST (FloorPlan, HasARoomUpToAWallBehindAFloorThatWasNotSeen)
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.3);
 }
 
-TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWall)
+TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWallThatWasSeenInPart)
 {
-  // The part of the plan between the sides, 0.3 m wide, goes on to the next wall. All
-  // of it is left out, also where only 1.4 m of the 3 m of one side were seen.
+  // Of a wall 3 m long and 0.3 m thick, 2 m of one side and this length of the other
+  // side were seen. All of the area between the sides is left out of the rooms.
   for (const double seen_length : {2.0, 1.4}) {
     Building room;
     room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
@@ -415,26 +421,26 @@ TEST (FloorPlan, HasARoomUpToTheEndsOfItsWallsWhereTheLastOneWasNotSeen)
   EXPECT_NEAR ((to - from).norm(), 3_m, 1_cm);
 }
 
-TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutWhereTheRoomEnds)
+TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutIfTheFloorEndsAtIt)
 {
-  // Of the last wall only the part above 1.9 m was seen.
+  // Of the wall at x = 4 m only the part above 1.9 m was seen.
   const Opening hidden_by_furniture = {0.0, 3.0, 0.0, 1.9};
-  const auto planWithFloorTo = [&] (double floor_end) {
+  const auto planWithFloorUpTo = [&] (double floor_end) {
     Building room;
     room.level (PlaneKind::Floor, 0.0, {0, 0}, {floor_end, 3});
     room.wall ({0, 0}, {4, 0}).wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
     return room.wall ({4, 0}, {4, 3}, {hidden_by_furniture}).plan();
   };
-  const FloorPlan plan = planWithFloorTo (3.5);
+  const FloorPlan plan = planWithFloorUpTo (3.5);
   EXPECT_EQ (plan.walls.size(), 4u);
   EXPECT_EQ (openingsOf (plan), 0u);
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
   EXPECT_TRUE (plan.rooms[0].unseen.empty());
-  EXPECT_EQ (planWithFloorTo (6.0).walls.size(), 3u) << "a lintel: the floor goes on";
+  EXPECT_EQ (planWithFloorUpTo (6.0).walls.size(), 3u) << "a lintel: the floor goes on";
 }
 
-TEST (FloorPlan, HasNoWallThatBeginsTooHighOverTheCutForFurniture)
+TEST (FloorPlan, HasNoWallThatBeginsHigherThanFurnitureHides)
 {
   Building high;
   high.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
@@ -443,12 +449,12 @@ TEST (FloorPlan, HasNoWallThatBeginsTooHighOverTheCutForFurniture)
 
 TEST (FloorPlan, HasNoWallThatEndsBelowTheCut)
 {
-  FloorPlanParameters over_it;
-  over_it.cut_height = 3_m;
-  EXPECT_TRUE (Building().wall ({0, 0}, {4, 0}).plan (over_it).walls.empty());
+  FloorPlanParameters above_wall; // which is 2.5 m high
+  above_wall.cut_height = 3_m;
+  EXPECT_TRUE (Building().wall ({0, 0}, {4, 0}).plan (above_wall).walls.empty());
 }
 
-TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
+TEST (FloorPlan, OfAnLHasOneRoomWithSixCorners)
 {
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 2})
@@ -486,7 +492,7 @@ TEST (FloorPlan, OfARoomAroundAShaftHasAHole)
   EXPECT_GT (from_center.cwiseAbs().maxCoeff(), 1.0) << "not in the shaft";
 }
 
-TEST (FloorPlan, CutsOverTheLowestFloorWhereverThatIs)
+TEST (FloorPlan, IsCutOverTheLowestFloorAtAnyHeight)
 {
   Building room = roomOf4By3();
   for (pcl::PointXYZ& point : room.cloud)
@@ -499,16 +505,16 @@ TEST (FloorPlan, CutsOverTheLowestFloorWhereverThatIs)
   EXPECT_EQ (openingsOf (plan), 1u);
 }
 
-TEST (FloorPlan, OfAnUpperStoryIsOverItsFloor)
+TEST (FloorPlan, CutInAnUpperStoryHasTheHeightOfItsFloor)
 {
   Building house = roomOf4By3();
   house.level (PlaneKind::Floor, 2.8, {0, 0}, {4, 3});
   FloorPlanParameters upstairs;
-  upstairs.cut_height = 4_m;
+  upstairs.cut_height = 4_m; // over the lowest floor
   EXPECT_NEAR (house.plan (upstairs).floor, 2.8_m, 1_mm);
 }
 
-TEST (FloorPlan, HasARoomOverTablesSlabsAndRampsWithoutAFloor)
+TEST (FloorPlan, HasARoomOverATableASlabOrARampInsteadOfAFloor)
 {
   const auto roomsOver = [] (PlaneKind kind) {
     Building room;
@@ -536,9 +542,10 @@ TEST (FloorPlan, HasARoomWhoseFloorIsHiddenInTheMiddle)
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
 }
 
-TEST (FloorPlan, HasATriangularRoomThatIsCoveredAsFarAsItGoes)
+TEST (FloorPlan, HasATriangularRoomMostOfWhichIsCovered)
 {
-  // The floor has three quarters of the triangle, less than half of the box around it.
+  // The seen floor is three quarters of the triangle, but less than half of the
+  // rectangle around the triangle.
   std::vector<Vector3d> floor;
   for (double x = 0.025; x < 2.0; x += 5_cm)
     for (double y = 0.025; x + y < 4.0; y += 5_cm)
@@ -569,11 +576,11 @@ TEST (FloorPlan, HasTheFloorOfEachRoomWhereOneLiesInTheCornerOfAnother)
   EXPECT_NEAR (plan.rooms[1].floor.value_or (9.0), 0.0, 1_mm);
 }
 
-TEST (FloorPlan, OfSparsePointsHasWholeWalls)
+TEST (FloorPlan, OfSparsePointsHasAWallWithoutOpenings)
 {
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
-  std::vector<Vector3d> wall; // a point each 40 cm
+  std::vector<Vector3d> wall; // points 40 cm apart
   for (double x = 0.0; x <= 4.0; x += 40_cm)
     for (double z = 0.0; z < 2.5; z += 40_cm)
       wall.emplace_back (x, 0.0, z);
@@ -602,12 +609,12 @@ TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
   std::vector<PlaneSegment> moved = building.planes;
   for (PlaneSegment& plane : moved)
     plane.moveBy (shift);
-  const FloorPlan far_off = findFloorPlan (
+  const FloorPlan in_utm = findFloorPlan (
       building.cloud, moved, building.kinds, Vector3d::UnitZ(), {}, shift);
-  EXPECT_NEAR (far_off.rooms.at (0).area, 12.0, 0.01);
-  EXPECT_NEAR (*far_off.rooms.at (0).floor, 100.0, 1_mm);
-  EXPECT_NEAR (far_off.walls.at (1).from.x(), 500'004.0, 1_mm);
-  EXPECT_EQ (far_off.walls.at (0).openings.at (0).room_before, std::size_t (0));
+  EXPECT_NEAR (in_utm.rooms.at (0).area, 12.0, 0.01);
+  EXPECT_NEAR (*in_utm.rooms.at (0).floor, 100.0, 1_mm);
+  EXPECT_NEAR (in_utm.walls.at (1).from.x(), 500'004.0, 1_mm);
+  EXPECT_EQ (in_utm.walls.at (0).openings.at (0).room_before, std::size_t (0));
 
   Building turned = building; // y down, z ahead, as cameras have it
   for (pcl::PointXYZ& point : turned.cloud)
@@ -620,24 +627,25 @@ TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
   EXPECT_EQ (openingsOf (in_camera), 1u);
 }
 
-TEST (FloorPlan, OfMillimetersIsInMeters)
+TEST (FloorPlan, OfACloudInMillimetersIsInMeters)
 {
   Building building = roomOf4By3();
   for (pcl::PointXYZ& point : building.cloud)
     point.getVector3fMap() *= 1000.0f;
   FloorPlanParameters millimeters;
   millimeters.meter = 1000.0;
+  const Vector3d shift (7000.0, 0.0, 500.0); // [mm]
   const FloorPlan plan = findFloorPlan (building.cloud,
                                         building.planes,
                                         building.kinds,
                                         Vector3d::UnitZ(),
                                         millimeters,
-                                        {7000.0, 0.0, 500.0});
+                                        shift);
   const FloorPlan expected = roomOf4By3().plan();
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_NEAR (plan.rooms[0].area, expected.rooms.at (0).area, 1e-4);
   EXPECT_NEAR (plan.rooms[0].middle.x(), expected.rooms[0].middle.x() + 7_m, 1e-4);
-  EXPECT_NEAR (plan.rooms[0].floor.value(), 0.5, 1e-4);
+  EXPECT_NEAR (plan.rooms[0].floor.value(), 0.5, 1e-4) << "500 mm";
   EXPECT_EQ (openingsOf (plan), openingsOf (expected));
 }
 
@@ -648,7 +656,7 @@ TEST (FloorPlan, OfNothingIsEmpty)
   EXPECT_TRUE (plan.rooms.empty());
 }
 
-TEST (FloorPlan, RefusesWhatHasNoMeaning)
+TEST (FloorPlan, RefusesInvalidParametersAndPlanesOfAnotherCloud)
 {
   const Building building = roomOf4By3();
   FloorPlanParameters wrong;

@@ -8,6 +8,7 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
+/** \brief Interval::from and Interval::to of several intervals. */
 using IntervalEnds = std::vector<std::pair<double, double>>;
 
 IntervalEnds
@@ -21,7 +22,7 @@ endsOfIntervals (const Intervals& intervals)
 
 } // namespace
 
-TEST (Intervals, OfPositionsEndAtLargerGaps)
+TEST (Intervals, OfPositionsEndAtGapsAboveTheLargestAllowed)
 {
   constexpr double max_gap = 2.0;
   EXPECT_EQ (endsOfIntervals (intervalsOf ({7, 0, 1, 2, 5, 6}, max_gap)),
@@ -31,17 +32,17 @@ TEST (Intervals, OfPositionsEndAtLargerGaps)
   EXPECT_TRUE (intervalsOf ({}, max_gap).empty());
 }
 
-TEST (Intervals, OfTwoListsAreOneWhereTheyOverlapOrNearlyTouch)
+TEST (Intervals, OfTwoListsAreJoinedWhereTheyOverlapOrNearlyTouch)
 {
-  double max_gap = 0.5;
-  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{1, 2}, {6, 7}}, max_gap)),
+  constexpr double small_gap = 0.5;
+  constexpr double gap_of_one = 1.0;
+  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{1, 2}, {6, 7}}, small_gap)),
              (IntervalEnds{{0, 5}, {6, 7}, {8, 9}}));
-  max_gap = 1.0;
-  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{4, 7}}, max_gap)),
+  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{4, 7}}, gap_of_one)),
              (IntervalEnds{{0, 9}}));
 }
 
-TEST (Intervals, WithoutOthersAreWhatIsLeft)
+TEST (Intervals, WithoutOthersAreTheRemainingParts)
 {
   const Intervals whole{{0, 10}, {20, 30}};
   EXPECT_EQ (endsOfIntervals (without (whole, {{2, 3}, {5, 6}, {8, 22}})),
@@ -51,8 +52,8 @@ TEST (Intervals, WithoutOthersAreWhatIsLeft)
              (IntervalEnds{{0, 10}, {20, 30}}));
 }
 
-TEST (Intervals, HaveALengthWithinAnother)
+TEST (CoveredLength, IsThatOfTheIntervalsWithinAnotherOne)
 {
-  EXPECT_EQ (lengthWithin ({2, 8}, {{0, 3}, {4, 5}, {7, 9}, {10, 11}}), 3.0);
-  EXPECT_EQ (lengthWithin ({2, 8}, {{0, 2}, {8, 9}}), 0.0);
+  EXPECT_EQ (coveredLength ({2, 8}, {{0, 3}, {4, 5}, {7, 9}, {10, 11}}), 3.0);
+  EXPECT_EQ (coveredLength ({2, 8}, {{0, 2}, {8, 9}}), 0.0);
 }

@@ -8,23 +8,26 @@
 
 namespace {
 
-/** \brief A limit of a quantity, and the kinds of a plane below it and above it. */
+/** \brief A limit of a quantity, and the kinds that a plane has for values below it and
+ * above it. */
 struct Limit {
-  std::string of;
+  std::string quantity;
   double limit;
   std::string kind_below, kind_above;
   /** \brief Returns the kind of the plane for a value of the quantity. */
-  std::function<std::string (double)> kind;
+  std::function<std::string (double)> kindFor;
 };
 
 /** \brief Fails unless planes have these kinds 5 % below and 5 % above each limit. */
 void
 expectLimits (const std::vector<Limit>& limits)
 {
-  constexpr double share = 0.05;
+  constexpr double share = 0.05; // of the limit
   for (const Limit& limit : limits) {
-    EXPECT_EQ (limit.kind ((1.0 - share) * limit.limit), limit.kind_below) << limit.of;
-    EXPECT_EQ (limit.kind ((1.0 + share) * limit.limit), limit.kind_above) << limit.of;
+    EXPECT_EQ (limit.kindFor ((1.0 - share) * limit.limit), limit.kind_below)
+        << limit.quantity;
+    EXPECT_EQ (limit.kindFor ((1.0 + share) * limit.limit), limit.kind_above)
+        << limit.quantity;
   }
 }
 
@@ -47,16 +50,16 @@ survey ()
   return survey.level (0.0, 60_m, 40_m, -20.0, -20.0);
 }
 
-/** \brief A direction along x that rises by an angle, with this length [m]. */
+/** \brief The vector of this length [m] that goes along x and rises by an angle. */
 Vector3d
-upwards (double length, double degrees)
+risingAlongX (double length, double degrees)
 {
   const double angle = degrees * M_PI / 180.0;
   return {length * std::cos (angle), 0.0, length * std::sin (angle)};
 }
 
-/** \brief The kind of an upright board in a room that is 2.5 m high. The board is 0.6 m
- * wide, too narrow for a wall by itself.
+/** \brief The kind of an upright board in a room. The board is 0.6 m wide: too narrow
+ * for a wall, unless it reaches the ceiling.
  * \param[in] low,high heights of its lower and its upper edge [m] */
 std::string
 kindOfBoard (Rectangles room, double low, double high)
@@ -68,83 +71,89 @@ kindOfBoard (Rectangles room, double low, double high)
 
 TEST (KindLimits, OfTables)
 {
+  // The kind of a level in a room, seen from above.
   const auto kindOfTop = [] (double height, double length, double width) {
     Rectangles room = shell();
-    room.sensor.z() = 2.0; // sees tops of counters
+    room.sensor.z() = 2.0; // above the tops of counters
     return room.level (height, length, width, 1.0, 1.0).lastKind();
   };
-  expectLimits ({{"height of seats",
-                  0.3,
-                  "other",
-                  "table",
-                  [&] (double v) { return kindOfTop (v, 0.8, 0.8); }},
-                 {"height of counters",
-                  1.3,
-                  "table",
-                  "other",
-                  [&] (double v) { return kindOfTop (v, 0.8, 0.8); }},
-                 {"smallest",
-                  0.1,
-                  "other",
-                  "table",
-                  [&] (double v) { return kindOfTop (0.7, 4.0 * v, 0.25); }},
-                 {"largest",
-                  6.0,
-                  "table",
-                  "slab",
-                  [&] (double v) { return kindOfTop (0.7, 3.0, v / 3.0); }},
-                 {"narrowest", 0.2, "other", "table", [&] (double v) {
-                    return kindOfTop (0.7, 1.5, v);
-                  }}});
+  expectLimits (
+      {{"least height of a seat [m]",
+        0.3,
+        "other",
+        "table",
+        [&] (double height) { return kindOfTop (height, 0.8, 0.8); }},
+       {"largest height of a counter [m]",
+        1.3,
+        "table",
+        "other",
+        [&] (double height) { return kindOfTop (height, 0.8, 0.8); }},
+       {"least area of a table [m^2]",
+        0.1,
+        "other",
+        "table",
+        [&] (double area) { return kindOfTop (0.7, 4.0 * area, 0.25); }},
+       {"largest area of a table [m^2]",
+        6.0,
+        "table",
+        "slab",
+        [&] (double area) { return kindOfTop (0.7, 3.0, area / 3.0); }},
+       {"least width of a table [m]", 0.2, "other", "table", [&] (double width) {
+          return kindOfTop (0.7, 1.5, width);
+        }}});
 }
 
 TEST (KindLimits, OfFloorsAndSlabs)
 {
+  // The kind of a level in a room.
   const auto kindOfLevel = [] (double height, double length, double width) {
     return shell().level (height, length, width, 1.0, 1.0).lastKind();
   };
-  expectLimits ({{"a sill",
+  expectLimits ({{"height of a sill [m]",
                   0.1,
                   "floor",
                   "other",
-                  [&] (double v) { return kindOfLevel (v, 0.5, 0.5); }},
-                 {"a step",
+                  [&] (double height) { return kindOfLevel (height, 0.5, 0.5); }},
+                 {"height of a step [m]",
                   0.3,
                   "floor",
                   "table",
-                  [&] (double v) { return kindOfLevel (v, 2.0, 1.0); }},
-                 {"area of a step",
+                  [&] (double height) { return kindOfLevel (height, 2.0, 1.0); }},
+                 {"area of a step [m^2]",
                   1.0,
                   "other",
                   "floor",
-                  [&] (double v) { return kindOfLevel (0.2, 1.0, v); }},
-                 {"area of a slab", 2.0, "other", "slab", [&] (double v) {
-                    return kindOfLevel (1.5, 2.0, 0.5 * v);
+                  [&] (double area) { return kindOfLevel (0.2, 1.0, area); }},
+                 {"area of a slab [m^2]", 2.0, "other", "slab", [&] (double area) {
+                    return kindOfLevel (1.5, 2.0, 0.5 * area);
                   }}});
 }
 
 TEST (KindLimits, OfTheLowestFloor)
 {
-  // The kind of a level of this area, 1 m above the foot of an upright plane.
+  // The kind of a level, 1 m above the foot of an upright plane that is 1 m high.
   const auto kindAboveFoot = [] (double area_of_upright, double area) {
     Rectangles scene;
     scene.level (0.0, 10.0, 0.1 * area);
     scene.add ({0, 20, -1}, {area_of_upright, 0, 0}, {0, 0, 1});
     return scene.kinds().front();
   };
-  expectLimits ({{"what says how deep a scene is",
-                  0.3,
-                  "floor",
-                  "slab",
-                  [&] (double v) { return kindAboveFoot (v, 12.0); }},
-                 {"ground", 50.0, "slab", "floor", [&] (double v) {
-                    return kindAboveFoot (1.0, v);
-                  }}});
+  expectLimits (
+      {{"area of an upright that says how deep a scene is [m^2]",
+        0.3,
+        "floor",
+        "slab",
+        [&] (double area_of_upright) { return kindAboveFoot (area_of_upright, 12.0); }},
+       {"area of a level that is ground [m^2]",
+        50.0,
+        "slab",
+        "floor",
+        [&] (double area) { return kindAboveFoot (1.0, area); }}});
 }
 
-TEST (KindLimits, OfCeilings)
+TEST (KindLimits, OfCeilingsBelowAHigherOne)
 {
-  // The kind of a level below a ceiling of 3.5 m.
+  // The kind of a level that is below a ceiling at a height of 3.5 m.
   const auto kindBelowCeiling =
       [] (double below, double length, double width, const Vector3d& sensor) {
         Rectangles hall;
@@ -153,132 +162,154 @@ TEST (KindLimits, OfCeilings)
         return hall.level (3.5 - below, length, width).lastKind();
       };
   const Vector3d in_the_hall (2.0, 1.5, 1.2);
-  // The kind of a level above a floor without a ceiling.
-  const auto kindAlone = [] (double height, double length, double width) {
-    return floor4By3().level (height, length, width).lastKind();
-  };
   expectLimits (
-      {{"a beam",
+      {{"how far a beam is below the ceiling [m]",
         0.6,
         "ceiling",
         "other",
-        [&] (double v) { return kindBelowCeiling (v, 1.0, 1.0, in_the_hall); }},
-       {"area of a beam",
+        [&] (double below) { return kindBelowCeiling (below, 1.0, 1.0, in_the_hall); }},
+       {"area of a beam [m^2]",
         0.3,
         "other",
         "ceiling",
-        [&] (double v) { return kindBelowCeiling (0.3, 1.0, v, in_the_hall); }},
-       {"what may be seen from above",
+        [&] (double area) { return kindBelowCeiling (0.3, 1.0, area, in_the_hall); }},
+       {"how far a plane seen from above is below the ceiling [m]",
         0.15,
         "ceiling",
         "other",
-        [&] (double v) { return kindBelowCeiling (v, 1.0, 1.0, sensor_far_above); }},
-       {"headroom",
-        1.9,
-        "other",
-        "ceiling",
-        [&] (double v) { return kindAlone (v, 1.2, 1.0); }},
-       {"area alone",
-        1.0,
-        "other",
-        "ceiling",
-        [&] (double v) { return kindAlone (2.1, 1.0, v); }},
-       {"above cupboards",
-        2.3,
-        "other",
-        "ceiling",
-        [&] (double v) { return kindAlone (v, 0.5, 0.5); }},
-       {"area above cupboards", 0.1, "other", "ceiling", [&] (double v) {
-          return kindAlone (2.6, 4.0 * v, 0.25);
+        [&] (double below) {
+          return kindBelowCeiling (below, 1.0, 1.0, sensor_far_above);
         }}});
+}
+
+TEST (KindLimits, OfCeilingsWithoutAHigherOne)
+{
+  // The kind of a level above a floor.
+  const auto kindAlone = [] (double height, double length, double width) {
+    return floor4By3().level (height, length, width).lastKind();
+  };
+  expectLimits ({{"headroom [m]",
+                  1.9,
+                  "other",
+                  "ceiling",
+                  [&] (double height) { return kindAlone (height, 1.2, 1.0); }},
+                 {"area of a ceiling that cupboards reach [m^2]",
+                  1.0,
+                  "other",
+                  "ceiling",
+                  [&] (double area) { return kindAlone (2.1, 1.0, area); }},
+                 {"height of a ceiling above cupboards [m]",
+                  2.3,
+                  "other",
+                  "ceiling",
+                  [&] (double height) { return kindAlone (height, 0.5, 0.5); }},
+                 {"area of a ceiling above cupboards [m^2]",
+                  0.1,
+                  "other",
+                  "ceiling",
+                  [&] (double area) { return kindAlone (2.6, 4.0 * area, 0.25); }}});
 }
 
 TEST (KindLimits, OfStories)
 {
-  // The kind of a board that ends 10 cm below a level of 2.5 m.
-  const auto kindBelowLevel = [] (double floor, double length, double width) {
+  // The kind of a board that ends 10 cm below a level at a height of 2.5 m: a wall if
+  // the level makes a story. The floor is a square.
+  const auto kindBelowLevel = [] (double edge_of_floor, double length, double width) {
     Rectangles room;
-    room.level (0.0, floor, floor).level (2.5, length, width);
+    room.level (0.0, edge_of_floor, edge_of_floor).level (2.5, length, width);
     return kindOfBoard (room, 1.0, 2.4);
   };
-  // The kind of a level above a share of the floor.
+  // The kind of a level that has this share of the area of the floor below it.
   const auto kindAboveShare = [] (double share) {
     Rectangles house;
     house.sensor = sensor_far_above;
     return house.level (0.0, 4_m, 3_m).level (2.5, 4_m, 3.0 * share).lastKind();
   };
-  // The kind of the lower side of a deck.
+  // The kind of the lower side of a deck, whose upper side is this much higher.
   const auto kindOfLowerSide = [] (double thickness) {
     Rectangles house;
     house.sensor = sensor_far_above;
     house.level (0.0, 4_m, 3_m).level (2.5 + thickness, 4_m, 3_m);
     return house.level (2.5, 4_m, 3_m).lastKind();
   };
-  expectLimits ({{"area of a level",
-                  1.0,
-                  "other",
-                  "wall",
-                  [&] (double v) { return kindBelowLevel (2.0, 1.0, v); }},
-                 {"share of the largest",
-                  0.2,
-                  "other",
-                  "wall",
-                  [&] (double v) { return kindBelowLevel (4.0, 4.0, 4.0 * v); }},
-                 {"share of the floor", 1.0 / 3.0, "roof", "ceiling", kindAboveShare},
-                 {"a deck", 0.8, "ceiling", "roof", kindOfLowerSide}});
+  expectLimits (
+      {{"area of a level that makes a story [m^2]",
+        1.0,
+        "other",
+        "wall",
+        [&] (double area) { return kindBelowLevel (2.0, 1.0, area); }},
+       {"the same as a share of the largest level",
+        0.2,
+        "other",
+        "wall",
+        [&] (double share) { return kindBelowLevel (4.0, 4.0, 4.0 * share); }},
+       {"area of a ceiling as a share of the floor",
+        1.0 / 3.0,
+        "roof",
+        "ceiling",
+        kindAboveShare},
+       {"thickness of a deck [m]", 0.8, "ceiling", "roof", kindOfLowerSide}});
 }
 
 TEST (KindLimits, OfWalls)
 {
+  // The kind of an upright plane on a floor, without a ceiling.
   const auto kindOfUpright = [] (double width, double height) {
     return floor4By3().add ({0, 3, 0}, {width, 0, 0}, {0, 0, height}).lastKind();
   };
-  // The kind of a front before a wall, turned out of its direction. Furniture turns by
-  // acos (0.9) = 25.8 degrees at most.
-  const auto kindOfFront = [] (double before, double degrees) {
+  expectLimits (
+      {{"height of a wall [m]",
+        1.3,
+        "other",
+        "wall",
+        [&] (double height) { return kindOfUpright (2.0, height); }},
+       {"width of a wall [m]",
+        1.0,
+        "other",
+        "wall",
+        [&] (double width) { return kindOfUpright (width, 1.6); }},
+       {"gap between a wall and the ceiling [m]",
+        0.3,
+        "wall",
+        "other",
+        [] (double gap) { return kindOfBoard (shell(), 1.0, 2.5 - gap); }},
+       {"height of a wall at the ceiling [m]",
+        0.5,
+        "other",
+        "wall",
+        [] (double height) { return kindOfBoard (shell(), 2.5 - height, 2.5); }}});
+}
+
+TEST (KindLimits, OfFrontsBeforeWalls)
+{
+  // The kind of a front 1.8 m high, this far before a wall and turned about the
+  // vertical. Furniture is turned by at most acos (0.9) = 25.8 degrees relative to its
+  // wall.
+  const auto kindOfFront = [] (double distance, double degrees) {
     const double angle = degrees * M_PI / 180.0;
     const Vector3d along (std::cos (angle), std::sin (angle), 0.0);
-    return shell().add ({1, before, 0}, 1.2 * along, {0, 0, 1.8}).lastKind();
+    return shell().add ({1, distance, 0}, 1.2 * along, {0, 0, 1.8}).lastKind();
   };
-  expectLimits ({{"height",
-                  1.3,
-                  "other",
-                  "wall",
-                  [&] (double v) { return kindOfUpright (2.0, v); }},
-                 {"width",
-                  1.0,
-                  "other",
-                  "wall",
-                  [&] (double v) { return kindOfUpright (v, 1.6); }},
-                 {"gap below the ceiling",
-                  0.3,
-                  "wall",
-                  "other",
-                  [] (double v) { return kindOfBoard (shell(), 1.0, 2.5 - v); }},
-                 {"part at the ceiling",
-                  0.5,
-                  "other",
-                  "wall",
-                  [] (double v) { return kindOfBoard (shell(), 2.5 - v, 2.5); }},
-                 {"depth of reliefs",
-                  0.1,
-                  "wall",
-                  "other",
-                  [&] (double v) { return kindOfFront (v, 0.0); }},
-                 {"depth of furniture",
-                  1.0,
-                  "other",
-                  "wall",
-                  [&] (double v) { return kindOfFront (v, 0.0); }},
-                 {"turn of furniture", 25.8, "other", "wall", [&] (double v) {
-                    return kindOfFront (0.3, v);
-                  }}});
+  expectLimits (
+      {{"depth of a relief [m]",
+        0.1,
+        "wall",
+        "other",
+        [&] (double depth) { return kindOfFront (depth, 0.0); }},
+       {"depth of furniture [m]",
+        1.0,
+        "other",
+        "wall",
+        [&] (double depth) { return kindOfFront (depth, 0.0); }},
+       {"turn of furniture [degrees]", 25.8, "other", "wall", [&] (double degrees) {
+          return kindOfFront (0.3, degrees);
+        }}});
 }
 
 TEST (KindLimits, OfPartsOfWalls)
 {
-  // The kind of a small plane behind a wall, turned out of its direction. Parts of
-  // walls turn by acos (0.985) = 9.94 degrees at most.
+  // The kind of a small plane this far behind a wall and turned about the vertical.
+  // Parts of a wall are turned by at most acos (0.985) = 9.94 degrees relative to it.
   const auto kindOfPart = [] (double behind, double degrees) {
     const double angle = degrees * M_PI / 180.0;
     const Vector3d along (0.3 * std::sin (angle), 0.3 * std::cos (angle), 0.0);
@@ -286,71 +317,70 @@ TEST (KindLimits, OfPartsOfWalls)
         .add (Vector3d (4.0 + behind, 1, 0.4) - 0.5 * along, along, {0, 0, 0.3})
         .lastKind();
   };
-  expectLimits ({{"distance",
+  expectLimits ({{"distance of a part from its wall [m]",
                   0.1,
                   "wall",
                   "other",
-                  [&] (double v) { return kindOfPart (v, 0.0); }},
-                 {"turn", 9.94, "wall", "other", [&] (double v) {
-                    return kindOfPart (0.0, v);
-                  }}});
+                  [&] (double distance) { return kindOfPart (distance, 0.0); }},
+                 {"turn of a part from its wall [degrees]",
+                  9.94,
+                  "wall",
+                  "other",
+                  [&] (double degrees) { return kindOfPart (0.0, degrees); }}});
 }
 
 TEST (KindLimits, OfRamps)
 {
+  // The kind of a slope in a room that begins at this height.
   const auto kindOfRamp =
-      [] (double length, double degrees, double width, double from) {
+      [] (double length, double degrees, double width, double height) {
         return shell()
-            .add ({1, 1, from}, upwards (length, degrees), {0, width, 0})
+            .add ({1, 1, height}, risingAlongX (length, degrees), {0, width, 0})
             .lastKind();
       };
+  // The kind of a slope 16 m long.
   const auto kindOfLongRamp = [] (double degrees) {
     Rectangles hall;
     hall.level (0.0, 30_m, 5_m);
-    return hall.add ({1, 1, 0}, upwards (16.0, degrees), {0, 1.2, 0}).lastKind();
+    return hall.add ({1, 1, 0}, risingAlongX (16.0, degrees), {0, 1.2, 0}).lastKind();
   };
-  expectLimits ({{"flattest", 2.5, "slab", "ramp", kindOfLongRamp},
-                 {"steepest",
-                  35.0,
-                  "ramp",
-                  "other",
-                  [&] (double v) { return kindOfRamp (1.0, v, 1.2, 0.0); }},
-                 {"area",
-                  0.5,
-                  "other",
-                  "ramp",
-                  [&] (double v) { return kindOfRamp (1.0, 15.0, v, 0.0); }},
-                 {"rise",
-                  0.15,
-                  "other",
-                  "ramp",
-                  [&] (double v) {
-                    return kindOfRamp (v / std::sin (M_PI / 12.0), 15.0, 1.2, 0.0);
-                  }},
-                 {"where it begins", 0.2, "ramp", "other", [&] (double v) {
-                    return kindOfRamp (1.0, 15.0, 1.2, v);
-                  }}});
+  expectLimits (
+      {{"least slope of a ramp [degrees]", 2.5, "slab", "ramp", kindOfLongRamp},
+       {"largest slope of a ramp [degrees]",
+        35.0,
+        "ramp",
+        "other",
+        [&] (double degrees) { return kindOfRamp (1.0, degrees, 1.2, 0.0); }},
+       {"area of a ramp, 1 m long [m^2]",
+        0.5,
+        "other",
+        "ramp",
+        [&] (double area) { return kindOfRamp (1.0, 15.0, area, 0.0); }},
+       {"rise of a ramp [m]",
+        0.15,
+        "other",
+        "ramp",
+        [&] (double rise) {
+          constexpr double degrees = 15.0;
+          const double length = rise / std::sin (M_PI / 12.0); // of 15 degrees, too
+          return kindOfRamp (length, degrees, 1.2, 0.0);
+        }},
+       {"height at which a ramp begins [m]", 0.2, "ramp", "other", [&] (double height) {
+          return kindOfRamp (1.0, 15.0, 1.2, height);
+        }}});
 }
 
 TEST (KindLimits, OfRoofs)
 {
   // The kind of a slope 4 m wide, with its middle at this height. It rises by 3 m on 4
-  // m, so that seen from above it is 0.8 times as deep as it is long.
+  // m: its depth seen from above is 0.8 times its length.
   const auto kindOfSlope = [] (double middle, double area) {
     const double depth = 0.8 * area / 4.0;
     return survey()
         .add ({0, 0, middle - 0.375 * depth}, {4, 0, 0}, {0, depth, 0.75 * depth})
         .lastKind();
   };
-  // The kind of a level 0.3 m above a ceiling, with a wall from and to these heights
-  // above the level.
-  const auto kindOfUpperLevel = [] (double wall_from, double wall_to) {
-    Rectangles house;
-    house.sensor = sensor_far_above;
-    house.level (0.0, 6_m, 5_m).level (2.5, 6_m, 5_m);
-    house.add ({0, 0, 2.8 + wall_from}, {6, 0, 0}, {0, 0, wall_to - wall_from});
-    return house.level (2.8, 6_m, 5_m).lastKind();
-  };
+  // The kind of a slope whose points have this rms distance to their plane.
   const auto kindOfRough = [] (double rms, std::optional<double> noise) {
     Rectangles scene = survey();
     scene.add ({0, 0, 5}, {8, 0, 0}, {0, 4, 3});
@@ -360,55 +390,77 @@ TEST (KindLimits, OfRoofs)
     roof.noise = noise;
     return scene.lastKind();
   };
+  expectLimits ({{"area of a roof [m^2]",
+                  2.0,
+                  "other",
+                  "roof",
+                  [&] (double area) { return kindOfSlope (5.0, area); }},
+                 {"height of the middle of a roof [m]",
+                  1.9,
+                  "other",
+                  "roof",
+                  [&] (double height) { return kindOfSlope (height, 8.0); }},
+                 {"rms of a roof of unknown noise [m]",
+                  0.35,
+                  "roof",
+                  "other",
+                  [&] (double rms) { return kindOfRough (rms, {}); }},
+                 {"rms of a roof with a noise of 5 cm [m]",
+                  0.15,
+                  "roof",
+                  "other",
+                  [&] (double rms) { return kindOfRough (rms, 0.05); }}});
+}
+
+TEST (KindLimits, OfLevelRoofs)
+{
+  // The kind of a level 0.3 m above a ceiling. A wall begins and ends at these heights
+  // above the level.
+  const auto kindOfUpperLevel = [] (double wall_begin, double wall_end) {
+    Rectangles house;
+    house.sensor = sensor_far_above;
+    house.level (0.0, 6_m, 5_m).level (2.5, 6_m, 5_m);
+    house.add ({0, 0, 2.8 + wall_begin}, {6, 0, 0}, {0, 0, wall_end - wall_begin});
+    return house.level (2.8, 6_m, 5_m).lastKind();
+  };
   expectLimits (
-      {{"area", 2.0, "other", "roof", [&] (double v) { return kindOfSlope (5.0, v); }},
-       {"height",
-        1.9,
-        "other",
-        "roof",
-        [&] (double v) { return kindOfSlope (v, 8.0); }},
-       {"a wall that rises from it",
+      {{"gap between a level roof and a wall above [m]",
         0.3,
         "floor",
         "roof",
-        [&] (double v) { return kindOfUpperLevel (v, 3.0); }},
-       {"height of that wall",
+        [&] (double gap) { return kindOfUpperLevel (gap, 3.0); }},
+       {"height of a wall that rises from a level roof [m]",
         1.9,
         "roof",
         "floor",
-        [&] (double v) { return kindOfUpperLevel (0.0, v); }},
-       {"relief",
-        0.35,
-        "roof",
-        "other",
-        [&] (double v) { return kindOfRough (v, {}); }},
-       {"relief over the noise", 0.15, "roof", "other", [&] (double v) {
-          return kindOfRough (v, 0.05);
-        }}});
+        [&] (double wall_height) { return kindOfUpperLevel (0.0, wall_height); }}});
 }
 
 TEST (KindLimits, OfFurnitureBeforeWalls)
 {
-  // The kind of the front of a cupboard 1.8 m high, before a wall of this height and
-  // width.
+  // The kind of the front of a cupboard, 1.8 m high and 1.5 m wide, before a wall.
   const auto kindOfFront = [] (double wall_height, double wall_width) {
     Rectangles room = floor4By3();
     room.add ({0, 3, 0}, {wall_width, 0, 0}, {0, 0, wall_height});
     return room.add ({0, 2.6, 0}, {1.5, 0, 0}, {0, 0, 1.8}).lastKind();
   };
-  expectLimits ({{"height of the wall",
-                  1.8,
-                  "wall",
-                  "other",
-                  [&] (double v) { return kindOfFront (v, 4.0); }},
-                 {"area of the wall", 2.7, "wall", "other", [&] (double v) {
-                    return kindOfFront (2.4, v / 2.4);
-                  }}});
+  expectLimits (
+      {{"height of the wall behind furniture [m]",
+        1.8,
+        "wall",
+        "other",
+        [&] (double wall_height) { return kindOfFront (wall_height, 4.0); }},
+       {"area of the wall behind furniture [m^2]",
+        2.7,
+        "wall",
+        "other",
+        [&] (double wall_area) { return kindOfFront (2.4, wall_area / 2.4); }}});
 }
 
 TEST (KindLimits, OfASensorThatLeans)
 {
-  // A ground of 12 m^2 that slopes, 2 m below the sensor, and a level plane somewhere.
+  // A ground of 12 m^2 that slopes, 2 m below the sensor, and after it a level plane
+  // with this middle and area.
   const auto groundBeside = [] (double degrees, const Vector3d& middle, double area) {
     Rectangles room;
     room.sensor = {0, 0, 0};
@@ -418,26 +470,34 @@ TEST (KindLimits, OfASensorThatLeans)
     const Vector3d side (0.0, area / 4.0, 0.0);
     return room.add (middle - 0.5 * side, {4, 0, 0}, side);
   };
+  // The kind of this ground beside a level plane of a share of its area.
   const auto kindBesideLevel = [&] (double share) {
     return groundBeside (10.0, {-5, 0, -2}, 12.0 * share).kindsFromSensor().front();
   };
+  // A road that slopes: the kind of its part 10 m to 14 m uphill of a part below the
+  // sensor.
   const auto kindUpTheSlope = [] (double degrees) {
     Rectangles road;
     road.sensor = {0, 0, 0};
     const Eigen::AngleAxisd lean (degrees * M_PI / 180.0, Vector3d::UnitX());
-    for (const double from : {-2.0, 10.0})
-      road.add (Vector3d (1, 0, -2) + lean * Vector3d (0, from, 0),
+    for (const double begin : {-2.0, 10.0})
+      road.add (Vector3d (1, 0, -2) + lean * Vector3d (0, begin, 0),
                 {2, 0, 0},
                 lean * Vector3d (0, 4, 0));
     return road.kindsFromSensor().back();
   };
-  expectLimits ({{"level beside it", 0.2, "floor", "other", kindBesideLevel},
-                 {"least", 3.0, "slab", "floor", kindUpTheSlope}});
+  expectLimits (
+      {{"area of a level beside the ground, as a share of it",
+        0.2,
+        "floor",
+        "other",
+        kindBesideLevel},
+       {"least slope of the ground [degrees]", 3.0, "slab", "floor", kindUpTheSlope}});
 }
 
 TEST (KindLimits, OfTheGroundOfASensorThatLeans)
 {
-  // A ground under a sensor; it leans relative to the sensor by an angle.
+  // The kind of a ground 1 m wide under a sensor, to which it slopes by an angle.
   const auto kindOfGround = [] (double degrees, double area, double height) {
     Rectangles room;
     room.sensor = {0.5, 0.5, height};
@@ -445,12 +505,12 @@ TEST (KindLimits, OfTheGroundOfASensorThatLeans)
     room.add ({0, 0, 0}, {1, 0, 0}, lean * Vector3d (0, area, 0));
     return room.kindsFromSensor().back();
   };
-  expectLimits ({{"largest",
+  expectLimits ({{"largest slope of the ground [degrees]",
                   12.0,
                   "floor",
                   "ramp",
-                  [&] (double v) { return kindOfGround (v, 12.0, 2.0); }},
-                 {"ground", 4.0, "ramp", "floor", [&] (double v) {
-                    return kindOfGround (10.0, v, 2.0);
+                  [&] (double degrees) { return kindOfGround (degrees, 12.0, 2.0); }},
+                 {"area of the ground [m^2]", 4.0, "ramp", "floor", [&] (double area) {
+                    return kindOfGround (10.0, area, 2.0);
                   }}});
 }

@@ -13,8 +13,9 @@ using Eigen::Vector2d;
 
 namespace {
 
-// Of 4 m x 3 m, and not at zero.
+/** \brief A box of 4 m x 3 m that is not at zero. */
 const Eigen::AlignedBox2d plan_box (Vector2d (10, 20), Vector2d (14, 23));
+// PlanLine is a point of the line and its direction.
 const PlanLine line_across = {{11, 0}, {0, 1}};
 const PlanLine line_along = {{0, 22}, {1, 0}};
 const PlanLine line_through_corners = {{10, 20}, Vector2d (4, 3).normalized()};
@@ -43,7 +44,7 @@ sidesOnLine (std::size_t line, const std::vector<PlanCell>& cells)
 
 } // namespace
 
-TEST (PlanCells, AreTheWholeWithoutALineAcrossIt)
+TEST (PlanCells, AreTheWholeBoxWithoutALineAcrossIt)
 {
   const PlanLine beside = {{9, 0}, {0, 1}};
   const PlanLine at_the_rim = {{10, 0}, {0, 1}};
@@ -61,7 +62,7 @@ TEST (PlanCells, AreFourOfTwoLinesThatCross)
   EXPECT_EQ (sidesOnLine (no_line, cells), 8u);
 }
 
-TEST (PlanCells, AreTrianglesOfALineThroughTwoCorners)
+TEST (PlanCells, AreTwoTrianglesWhereALineGoesThroughTwoCorners)
 {
   const std::vector<PlanCell> cells = cellsOf (plan_box, {line_through_corners});
   EXPECT_EQ (areasOfCells (cells), (std::vector<double>{6.0, 6.0}));
@@ -73,14 +74,15 @@ TEST (PlanCells, AreTrianglesOfALineThroughTwoCorners)
 
 TEST (CommonSides, AreBetweenCellsThatTouchAlongALine)
 {
+  // Four cells: each touches two others along a line.
   const std::vector<PlanCell> cells = cellsOf (plan_box, {line_across, line_along});
   const std::vector<CommonSide> sides = commonSides (cells);
-  ASSERT_EQ (sides.size(), 4u) << "and none at the rim";
+  ASSERT_EQ (sides.size(), 4u) << "sides at the rim belong to one cell";
   for (const CommonSide& side : sides) {
     EXPECT_NE (side.first, side.second);
     const PlanCell& cell = cells[side.first];
     EXPECT_NE (cell.lines[side.side], no_line);
-    // The other cell has both ends, too.
+    // Both ends of the side are corners of the other cell, too.
     for (const std::size_t end : {side.side, (side.side + 1) % cell.corners.size()})
       EXPECT_TRUE (std::any_of (cells[side.second].corners.begin(),
                                 cells[side.second].corners.end(),

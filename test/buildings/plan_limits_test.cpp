@@ -9,15 +9,19 @@
 
 namespace {
 
-/** \brief A limit of a quantity, and how many parts a plan has below it and above it.
- */
+/** \brief FloorPlanParameters::cut_height: over the floor, by default [m]. */
+constexpr double height_of_cut = 1.2;
+
+/** \brief A limit of a quantity, and how many walls, openings or rooms a plan has for
+ * values below it and above it. */
 struct PlanLimit {
-  std::string of;
-  /** \brief Values of the quantity a little below and a little above the limit. */
+  std::string quantity;
+  /** \brief Values of the quantity a little below and a little above the limit, in
+   * meters or degrees. */
   double below, above;
   std::size_t number_below, number_above;
-  /** \brief Returns the number of parts for a value of the quantity. */
-  std::function<std::size_t (double)> number;
+  /** \brief Returns the number for a value of the quantity. */
+  std::function<std::size_t (double)> numberFor;
 };
 
 /** \brief Fails unless the numbers below and above each limit are these. */
@@ -25,13 +29,13 @@ void
 expectPlanLimits (const std::vector<PlanLimit>& limits)
 {
   for (const PlanLimit& limit : limits) {
-    EXPECT_EQ (limit.number (limit.below), limit.number_below) << limit.of;
-    EXPECT_EQ (limit.number (limit.above), limit.number_above) << limit.of;
+    EXPECT_EQ (limit.numberFor (limit.below), limit.number_below) << limit.quantity;
+    EXPECT_EQ (limit.numberFor (limit.above), limit.number_above) << limit.quantity;
   }
 }
 
-/** \brief Adds a piece of furniture: a rectangle with a corner and two edges from it.
- */
+/** \brief Adds a piece of furniture: a rectangle with a corner and two edge vectors
+ * from it [m]. */
 Building&
 addPiece (Building& building,
           const Vector3d& normal,
@@ -40,9 +44,12 @@ addPiece (Building& building,
           const Vector3d& second)
 {
   std::vector<Vector3d> points;
-  for (double s = half_spacing; s < first.norm(); s += grid_spacing)
-    for (double t = half_spacing; t < second.norm(); t += grid_spacing)
-      points.push_back (corner + s * first.normalized() + t * second.normalized());
+  for (double along_first = half_spacing; along_first < first.norm();
+       along_first += grid_spacing)
+    for (double along_second = half_spacing; along_second < second.norm();
+         along_second += grid_spacing)
+      points.push_back (corner + along_first * first.normalized() +
+                        along_second * second.normalized());
   return building.add (PlaneKind::Other, normal, points);
 }
 
@@ -55,128 +62,149 @@ fourWalls ()
   return walls.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
 }
 
-/** \brief Number of walls of which both sides were seen. */
+/** \brief Number of walls of a plan with a thickness: sides of a real wall whose other
+ * side was seen, too. */
 std::size_t
-thickWallsOf (const FloorPlan& plan)
+sidesOfThickWalls (const FloorPlan& plan)
 {
-  std::size_t thick = 0;
-  for (const PlanWall& wall : plan.walls)
-    thick += wall.thickness ? 1 : 0;
-  return thick;
+  std::size_t sides = 0;
+  for (const PlanWall& side : plan.walls)
+    sides += side.thickness ? 1 : 0;
+  return sides;
 }
 
 } // namespace
 
 TEST (PlanLimits, OfPartsOfOneWall)
 {
-  const auto wallsOfParts = [] (double meters) {
+  // Two parallel walls, the second one behind the end of the first and this far beside
+  // it.
+  const auto wallsApart = [] (double distance) {
     Building parts;
-    parts.wall ({0, 0}, {2, 0}).wall ({2, meters}, {4, meters});
+    parts.wall ({0, 0}, {2, 0}).wall ({2, distance}, {4, distance});
     return parts.plan().walls.size();
   };
-  const auto wallsOfTurnedParts = [] (double degrees) {
+  // A wall, and at its end a shorter one in a direction turned by an angle.
+  const auto wallsTurned = [] (double degrees) {
     const Vector2d along (std::cos (degrees * 1_deg), std::sin (degrees * 1_deg));
     Building parts;
     parts.wall ({0, 0}, {2, 0}).wall ({2, 0}, Vector2d (2, 0) + 0.6 * along);
     return parts.plan().walls.size();
   };
-  expectPlanLimits (
-      {{"distance", 4_cm, 6_cm, 1, 2, wallsOfParts},
-       {"angle, which is 4 degrees", 3.5, 4.5, 1, 2, wallsOfTurnedParts}});
+  expectPlanLimits ({{"distance, at most 5 cm", 4_cm, 6_cm, 1, 2, wallsApart},
+                     {"angle, at most 4 degrees", 3.5, 4.5, 1, 2, wallsTurned}});
 }
 
 TEST (PlanLimits, OfWallsThatMeet)
 {
   // A wall that ends 20 cm before another one is drawn to it, unless they are nearly
   // parallel.
-  const auto wallsDrawnToCorner = [] (double degrees) {
+  const auto wallsDrawnToTheOther = [] (double degrees) {
     const Vector2d along (std::cos (degrees * 1_deg), std::sin (degrees * 1_deg));
     const Vector2d meeting_point (3, 0);
     Building walls;
     walls.wall ({0, 0}, {6, 0})
         .wall (meeting_point + 0.2 * along, meeting_point + 3.0 * along);
-    return walls.plan().walls.at (1).length() > 2.9 ? 1u : 0u;
+    const bool is_drawn = walls.plan().walls.at (1).length() > 2.9; // 2.8 m were seen
+    return is_drawn ? 1u : 0u;
   };
-  expectPlanLimits ({{"15 degrees", 13.0, 17.0, 0, 1, wallsDrawnToCorner}});
+  expectPlanLimits (
+      {{"angle, at least 15 degrees", 13.0, 17.0, 0, 1, wallsDrawnToTheOther}});
 }
 
 TEST (PlanLimits, OfWallsThatAreSeenAtTheCut)
 {
-  const auto wallsSeenFor = [] (double meters) {
-    Building hidden; // the floor goes on below the wall, which may be a lintel
+  // A wall of 4 m of which only this length was seen at the cut. The floor is on both
+  // sides of the wall, so that it may be a lintel over an open passage.
+  const auto wallsSeenFor = [] (double seen_length) {
+    Building hidden;
     hidden.level (PlaneKind::Floor, 0.0, {0, -2}, {4, 2});
-    hidden.wall ({0, 0}, {4, 0}, {{meters, 4.0, 0.5, 2.0}});
+    hidden.wall ({0, 0}, {4, 0}, {{seen_length, 4.0, 0.5, 2.0}});
     return hidden.plan().walls.size();
   };
-  expectPlanLimits ({{"a quarter of its length", 0.9, 1.1, 0, 1, wallsSeenFor}});
+  expectPlanLimits (
+      {{"seen length, a quarter of the wall", 0.9, 1.1, 0, 1, wallsSeenFor}});
 }
 
 TEST (PlanLimits, OfTheTwoSidesOfAWall)
 {
-  const auto thickWallsApart = [] (double meters) {
+  // Two sides of a wall at a distance from each other.
+  const auto thickSidesApart = [] (double thickness) {
     Building wall;
-    wall.wall ({0, 0}, {4, 0}).wall ({4, -meters}, {0, -meters});
-    return thickWallsOf (wall.plan());
+    wall.wall ({0, 0}, {4, 0}).wall ({4, -thickness}, {0, -thickness});
+    return sidesOfThickWalls (wall.plan());
   };
-  const auto thickWallsBeside = [] (double meters) {
+  // Two sides 20 cm apart that are opposite each other for a part of their length.
+  const auto thickSidesThatOverlap = [] (double overlap) {
     Building wall;
-    wall.wall ({0, 0}, {4, 0}).wall ({8.0 - meters, -0.2}, {4.0 - meters, -0.2});
-    return thickWallsOf (wall.plan());
+    wall.wall ({0, 0}, {4, 0}).wall ({8.0 - overlap, -0.2}, {4.0 - overlap, -0.2});
+    return sidesOfThickWalls (wall.plan());
   };
-  expectPlanLimits ({{"thickest, 0.7 m", 0.65, 0.75, 2, 0, thickWallsApart},
-                     {"30 cm beside each other", 0.25, 0.45, 0, 2, thickWallsBeside}});
+  expectPlanLimits (
+      {{"thickness, at most 70 cm", 0.65, 0.75, 2, 0, thickSidesApart},
+       {"overlap, at least 30 cm", 0.25, 0.45, 0, 2, thickSidesThatOverlap}});
 }
 
 TEST (PlanLimits, OfWhatHidesADoor)
 {
-  const auto openingsBehind = [] (double meters) {
+  // An upright piece in the room, this far before the door.
+  const auto openingsBehindAPiece = [] (double distance) {
     Building room = roomOf4By3();
-    addPiece (room, Vector3d::UnitY(), {0.9, meters, 0}, {1.1, 0, 0}, {0, 0, 2});
+    addPiece (room, Vector3d::UnitY(), {0.9, distance, 0}, {1.1, 0, 0}, {0, 0, 2});
     return openingsOf (room.plan());
   };
-  const auto openingsBelow = [] (double over_cut) {
+  // An upright piece before the door whose lowest points are this far above the cut.
+  const auto openingsBelowAPiece = [] (double over_cut) {
     Building room = roomOf4By3();
-    const Vector3d corner (0.9, 0.4, 1.2 + over_cut - 0.025);
+    const Vector3d corner (0.9, 0.4, height_of_cut + over_cut - half_spacing);
     addPiece (room, Vector3d::UnitY(), corner, {1.1, 0, 0}, {0, 0, 0.5});
     return openingsOf (room.plan());
   };
-  const auto openingsBefore = [] (double meters) {
+  // A level piece, which is no leaf, in the door, this far behind the front of the
+  // wall.
+  const auto openingsBeforeAPiece = [] (double depth) {
     Building room = roomOf4By3();
-    // Level, so that it is no leaf.
-    const Vector3d corner (0.9, -meters - 0.025, 1.2);
+    const Vector3d corner (0.9, -depth - half_spacing, height_of_cut);
     addPiece (room, Vector3d::UnitZ(), corner, {1.1, 0, 0}, {0, 0.04, 0});
     return openingsOf (room.plan());
   };
-  expectPlanLimits ({{"80 cm before it", 0.75, 0.85, 0, 1, openingsBehind},
-                     {"10 cm over the cut", 0.08, 0.12, 0, 1, openingsBelow},
-                     {"5 cm within the wall", 0.04, 0.06, 0, 1, openingsBefore}});
+  expectPlanLimits (
+      {{"distance, at most 80 cm", 0.75, 0.85, 0, 1, openingsBehindAPiece},
+       {"height over the cut, at most 10 cm", 0.08, 0.12, 0, 1, openingsBelowAPiece},
+       {"depth, at most 5 cm", 0.04, 0.06, 0, 1, openingsBeforeAPiece}});
 }
 
 TEST (PlanLimits, OfTheLowestFloor)
 {
-  // A pit of some square meters beside a floor of 12: the cut is 1.2 m over the pit or
-  // over the floor.
-  const auto cutsInPit = [] (double width) {
+  // A pit, 2 m long and 1 m deep, beside a floor of 12 m^2. The cut is 1.2 m over the
+  // pit (1) or over the floor (0).
+  const auto cutsOverPit = [] (double width) {
     Building hall = roomOf4By3();
     hall.level (PlaneKind::Floor, -1.0, {10, 0}, {12, width});
     return hall.plan().height < 1_m ? 1u : 0u;
   };
-  expectPlanLimits ({{"a fifth of the floor", 1.1, 1.3, 0, 1, cutsInPit}});
+  expectPlanLimits (
+      {{"width of the pit, a fifth of the floor's area", 1.1, 1.3, 0, 1, cutsOverPit}});
 }
 
 TEST (PlanLimits, OfWhatCoversARoom)
 {
-  const auto roomsOver = [] (double below) {
+  // A room over a slab that is this far below the lowest floor, which is outside of it.
+  const auto roomsOverSlab = [] (double below) {
     Building room = fourWalls();
     room.level (PlaneKind::Floor, 0.0, {9, 9}, {11, 11});
     room.level (PlaneKind::Slab, -below, {0, 0}, {4, 3});
     return room.plan().rooms.size();
   };
-  const auto roomsUnder = [] (double over_cut) {
+  // A room under a ceiling this far above the cut. Without a floor the cut is 1.2 m
+  // over the lowest points of the walls.
+  const auto roomsUnderCeiling = [] (double over_cut) {
     Building room = fourWalls();
-    room.level (PlaneKind::Ceiling, 1.225 + over_cut, {0, 0}, {4, 3});
+    const double height = half_spacing + height_of_cut + over_cut;
+    room.level (PlaneKind::Ceiling, height, {0, 0}, {4, 3});
     return room.plan().rooms.size();
   };
+  // A corridor of 6 m.
   const auto roomsOfWidth = [] (double width) {
     Building corridor;
     corridor.level (PlaneKind::Floor, 0.0, {0, 0}, {6, width});
@@ -184,14 +212,17 @@ TEST (PlanLimits, OfWhatCoversARoom)
     corridor.wall ({6, width}, {0, width}).wall ({0, width}, {0, 0});
     return corridor.plan().rooms.size();
   };
-  expectPlanLimits ({{"60 cm below the floor", 0.55, 0.65, 1, 0, roomsOver},
-                     {"6 m over the cut", 5.9, 6.1, 1, 0, roomsUnder},
-                     {"some 35 cm wide", 0.3, 0.45, 0, 1, roomsOfWidth}});
+  expectPlanLimits (
+      {{"depth below the floor, at most 60 cm", 0.55, 0.65, 1, 0, roomsOverSlab},
+       {"height over the cut, at most 6 m", 5.9, 6.1, 1, 0, roomsUnderCeiling},
+       {"width, at least some 35 cm", 0.3, 0.45, 0, 1, roomsOfWidth}});
 }
 
 TEST (PlanLimits, OfRoofsBesideTheWalls)
 {
-  // A piece that slopes in the middle of a room, two meters from all walls.
+  // A building stands under roofs if most of its walls are under them or within some 1
+  // m of them. This sloping plane in the middle of a room is two meters from all walls,
+  // so that the room goes on beside it.
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 6});
   std::vector<Vector3d> piece;

@@ -14,8 +14,11 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/** \brief A sensor far above: all normals point up, as in a survey. */
+/** \brief Position of a sensor far above: all normals point up, as in a survey. */
 const Vector3d far_above (0.0, 0.0, 1e3);
+
+// Rectangles::level takes a height, width and depth along x and y, and x and y of the
+// corner of least x and y, by default zero.
 
 } // namespace
 
@@ -30,31 +33,32 @@ TEST (PlaneKinds, AreTheSameInFeetAndForATiltedUpAxis)
   Rectangles room = shell();
   const Eigen::Quaterniond turn (
       Eigen::AngleAxisd (1.0, Vector3d (1, 2, 3).normalized()));
-  constexpr double feet = 1.0 / 0.3048; // of a meter
+  constexpr double feet_per_meter = 1.0 / 0.3048;
   for (PlaneSegment& plane : room.planes) {
-    plane.centroid = feet * (turn * plane.centroid);
+    plane.centroid = feet_per_meter * (turn * plane.centroid);
     plane.normal = turn * plane.normal;
   }
   for (PlaneExtent& extent : room.extents) {
     for (Vector3d& corner : extent.hull)
-      corner = feet * (turn * corner);
-    extent.center = feet * (turn * extent.center);
+      corner = feet_per_meter * (turn * corner);
+    extent.center = feet_per_meter * (turn * extent.center);
     extent.long_axis = turn * extent.long_axis;
     extent.short_axis = turn * extent.short_axis;
-    extent.length *= feet;
-    extent.width *= feet;
-    extent.area *= feet * feet;
+    extent.length *= feet_per_meter;
+    extent.width *= feet_per_meter;
+    extent.area *= feet_per_meter * feet_per_meter;
   }
-  EXPECT_EQ (planeKinds (room.planes, room.extents, turn * Vector3d (0, 0, 5), feet),
-             planeKinds (shell().planes, shell().extents, Vector3d::UnitZ()));
+  EXPECT_EQ (
+      planeKinds (room.planes, room.extents, turn * Vector3d (0, 0, 5), feet_per_meter),
+      planeKinds (shell().planes, shell().extents, Vector3d::UnitZ()));
 }
 
 TEST (PlaneKinds, AreTheSameInReverseOrderOfPlanes)
 {
-  Rectangles room = shell();
+  Rectangles room = shell(); // with a table, the front of a cupboard, a part of a wall
   room.level (0.72, 1.4, 0.8, 1.0, 1.0).add ({1, 0.4, 0}, {1.2, 0, 0}, {0, 0, 1.8});
-  room.add ({4.02, 1, 0.4}, {0, 0.3, 0}, {0, 0, 0.3}); // a part of a wall
-  Rectangles house;
+  room.add ({4.02, 1, 0.4}, {0, 0.3, 0}, {0, 0, 0.3});
+  Rectangles house; // a ground, a wall, a flat roof and a sloping one
   house.sensor = far_above;
   house.level (0.0, 60_m, 40_m, -20.0, -20.0).add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5});
   house.level (5.0, 6_m, 6_m, 20.0, 0.0).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
@@ -112,21 +116,24 @@ TEST (PlaneKinds, OfALevelAboveAStoryIsARoofWhereNoWallRisesFromIt)
   EXPECT_EQ (house.kinds().front(), "floor");
 }
 
-TEST (PlaneKinds, OfASidewayBoardIsNoWall)
+TEST (PlaneKinds, OfANarrowOrALowBoardIsNoWall)
 {
-  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 0.4, 0}, {0, 0, 1.8}).lastKind(), "other");
-  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 1.4, 0}, {0, 0, 0.9}).lastKind(), "other");
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 0.4, 0}, {0, 0, 1.8}).lastKind(), "other")
+      << "0.4 m wide";
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 1.4, 0}, {0, 0, 0.9}).lastKind(), "other")
+      << "0.9 m high";
 }
 
 TEST (PlaneKinds, OfARoomWhoseCeilingIsOutOfSightAreFloorAndWalls)
 {
-  Rectangles image;
+  Rectangles image; // in which the wall ends 2 m above the floor
   image.level (0.0, 4_m, 3_m).add ({0, 3, 0.1}, {4, 0, 0}, {0, 0, 1.9});
   EXPECT_EQ (image.kinds(), (Names{"floor", "wall"}));
 }
 
 TEST (PlaneKinds, OfASmallPartOfAWallIsThatOfTheWall)
 {
+  // A plane of 0.3 m x 0.3 m, 2 cm behind the wall.
   EXPECT_EQ (shell().add ({4.02, 1, 0.4}, {0, 0.3, 0}, {0, 0, 0.3}).lastKind(), "wall");
 }
 
@@ -134,7 +141,7 @@ TEST (PlaneKinds, OfTwoStoriesAreTwoFloorsAndTwoCeilings)
 {
   Rectangles house;
   house.sensor = far_above;
-  for (const double floor : {0.0, 2.8}) {
+  for (const double floor : {0.0, 2.8}) { // its height
     house.level (floor, 6_m, 5_m).level (floor + 2.5, 6_m, 5_m);
     house.add ({0, 0, floor}, {6, 0, 0}, {0, 0, 2.5});
   }
@@ -148,12 +155,13 @@ TEST (PlaneKinds, OfAHouseFromAboveAreGroundWallsAndRoof)
   house.sensor = far_above;
   house.level (0.0, 60_m, 40_m, -20.0, -20.0);
   house.add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5}).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
-  house.level (5.0, 6_m, 6_m, 20.0, 0.0); // the flat roof of another one
+  house.level (5.0, 6_m, 6_m, 20.0, 0.0); // the flat roof of another house
   EXPECT_EQ (house.kinds(), (Names{"floor", "wall", "roof", "roof"}));
 }
 
 TEST (PlaneKinds, OfAHillsideIsOther)
 {
+  // A hillside is a slope whose points are too far from its plane for a roof.
   Rectangles survey;
   survey.sensor = far_above;
   survey.level (0.0, 60_m, 40_m).add ({0, 0, 5}, {30, 0, 0}, {0, 20, 6});
@@ -163,8 +171,8 @@ TEST (PlaneKinds, OfAHillsideIsOther)
     slope.moments = Moments::of (
         1000.0, slope.centroid, rms * rms * slope.normal * slope.normal.transpose());
   };
-  setRms (0.5);
-  EXPECT_EQ (survey.lastKind(), "other") << "of half a meter, whatever the noise";
+  setRms (0.5); // [m]
+  EXPECT_EQ (survey.lastKind(), "other") << "too far, whatever the noise";
   setRms (0.2);
   EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
   slope.noise = 0.05;
@@ -175,27 +183,28 @@ TEST (PlaneKinds, OfAHillsideIsOther)
 
 TEST (PlaneKinds, OfASlopeThatGoesOnAtItsEndsIsOther)
 {
-  // A valley of 40 m, and a hillside of 20 degrees in three strips, each above the one
-  // before.
-  const auto addStrip = [] (Rectangles& hills, double from) {
-    hills.add ({0, from, 0.36 * from}, {40, 0, 0}, {0, 9, 0.36 * 9});
+  // A valley of 40 m x 40 m, and a hillside of 20 degrees along y in three strips, each
+  // above the one before. A strip begins at this y and is 9 m deep.
+  const auto addStrip = [] (Rectangles& hills, double y) {
+    constexpr double slope = 0.36; // tan (20 degrees)
+    hills.add ({0, y, slope * y}, {40, 0, 0}, {0, 9, slope * 9});
   };
   Rectangles hills;
   hills.sensor = far_above;
   hills.level (0.0, 40_m, 40_m, 0.0, -40.0);
-  for (const double from : {0.0, 10.0, 20.0})
-    addStrip (hills, from);
-  EXPECT_EQ (hills.kinds()[2], "other");
+  for (const double y : {0.0, 10.0, 20.0})
+    addStrip (hills, y);
+  EXPECT_EQ (hills.kinds()[2], "other") << "the middle strip";
   Rectangles roof;
   roof.sensor = far_above;
   roof.level (0.0, 40_m, 40_m, 0.0, -40.0);
   addStrip (roof, 10.0);
-  EXPECT_EQ (roof.kinds()[1], "roof") << "alone";
+  EXPECT_EQ (roof.kinds()[1], "roof") << "the middle strip alone";
 }
 
 TEST (PlaneKinds, OfTwoSidesOfAGableAreRoofs)
 {
-  for (const double rise : {0.5, 4.0}) { // of 7 and of 45 degrees
+  for (const double rise : {0.5, 4.0}) { // on 4 m: 7 and 45 degrees
     Rectangles house;
     house.sensor = far_above;
     house.level (0.0, 40_m, 40_m, -15.0, -15.0);
@@ -217,10 +226,10 @@ TEST (PlaneKinds, OfARoofWithoutItsGroundIsARoof)
 
 TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
 {
-  Rectangles terraces; // steps of a field, each half a meter above the one before
+  Rectangles terraces; // 10 m deep, each half a meter above the one before
   terraces.sensor = far_above;
-  for (const double step : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
-    terraces.level (0.5 * step, 30_m, 10_m, 0.0, 10.0 * step);
+  for (const double terrace : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
+    terraces.level (0.5 * terrace, 30_m, 10_m, 0.0, 10.0 * terrace);
   EXPECT_EQ (terraces.kinds()[5], "other");
 }
 
@@ -234,7 +243,7 @@ TEST (PlaneKinds, OfAFieldFarAboveAnotherOneIsAFloor)
       Moments::of (1e3,
                    fields.planes.back().centroid,
                    0.2 * Vector3d::UnitZ().asDiagonal().toDenseMatrix());
-  EXPECT_EQ (fields.lastKind(), "other") << "a hill, .45 m rough";
+  EXPECT_EQ (fields.lastKind(), "other") << "a hill, with an rms of 0.45 m";
 }
 
 TEST (PlaneKinds, OfACeilingWhoseFloorIsOutOfSightIsACeiling)
@@ -248,13 +257,14 @@ TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
 {
   EXPECT_EQ (shell().add ({1, 1, 0}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "ramp");
   EXPECT_EQ (shell().add ({1, 1, 0.5}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "other")
-      << "a desk that is tilted";
+      << "a desk that is tilted, 0.5 m over the floor";
   EXPECT_EQ (shell().add ({1, 1, 0}, {0.5, 0, 1.0}, {0, 1.2, 0}).lastKind(), "other")
-      << "a board that leans";
+      << "a board that leans, too steep";
 }
 
 TEST (PlaneKinds, OfARoadThatFallsIsAFloor)
 {
+  // By 2 m on 100 m.
   Rectangles road;
   road.add ({0, 0, 1}, {100, 0, -2}, {0, 10, 0});
   EXPECT_EQ (road.kinds(), Names{"floor"});
@@ -262,6 +272,7 @@ TEST (PlaneKinds, OfARoadThatFallsIsAFloor)
 
 TEST (PlaneKinds, OfARoadAboveTheFootOfAWallIsAFloor)
 {
+  // The wall begins 1 m below the road, which has 200 m^2.
   Rectangles road;
   road.add ({0, 20, -1}, {20, 0, 0}, {0, 0, 4}).level (0.0, 20_m, 10_m);
   EXPECT_EQ (road.kinds(), (Names{"wall", "floor"}));
@@ -283,7 +294,7 @@ TEST (PlaneKinds, OfAGalleryIsASlab)
   EXPECT_EQ (hall.kinds(), (Names{"floor", "slab", "ceiling"}));
 }
 
-TEST (PlaneKinds, OfWhatLiesBelowTheSensorAreNoCeilings)
+TEST (PlaneKinds, OfPlanesBelowTheSensorAreNoCeilings)
 {
   Rectangles street;
   street.sensor = {0, 0, 0};
@@ -304,7 +315,7 @@ TEST (PlaneKinds, OfALargePlatformInAHallIsASlab)
   EXPECT_EQ (hall.kinds(), (Names{"floor", "slab", "ceiling"}));
 }
 
-TEST (PlaneKinds, OfAMapDoNotHangOnASensorThatIsNowhereNear)
+TEST (PlaneKinds, OfAMapDoNotDependOnASensorFarAwayFromIt)
 {
   Rectangles map;
   map.sensor = {0, 0, 1e6};
@@ -312,7 +323,7 @@ TEST (PlaneKinds, OfAMapDoNotHangOnASensorThatIsNowhereNear)
   EXPECT_EQ (map.kindsFromSensor(), (Names{"floor", "ceiling"}));
 }
 
-TEST (PlaneKinds, OfATerraceBelowTheSensorAreAFloorAndItsWall)
+TEST (PlaneKinds, OfATerraceBelowTheSensorAndItsWallAreFloorAndWall)
 {
   Rectangles terrace;
   terrace.sensor = {5, 5, 6};
@@ -344,7 +355,7 @@ TEST (PlaneKinds, OfPartsOfTheGroundAtTwoHeightsAreFloors)
   street.level (0.0, 10_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
   EXPECT_EQ (street.kinds(), (Names{"floor", "floor"}));
   EXPECT_EQ (street.kindsFromSensor(), (Names{"floor", "floor"}));
-  Rectangles ditch; // that goes on below the street
+  Rectangles ditch; // its ground goes on below the street
   ditch.sensor = {0, 0, 2};
   ditch.level (0.0, 30_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
   EXPECT_EQ (ditch.kinds(), (Names{"floor", "slab"}));
@@ -365,7 +376,7 @@ TEST (PlaneKinds, OfARoomAreTheSameForASensorThatLeans)
     EXPECT_EQ (room.kindsFromSensor (up), upright) << degrees;
     if (degrees > 7.0) {
       EXPECT_NE (room.kinds (std::nullopt, up).front(), "floor")
-          << "of an unknown sensor nobody knows that it leans";
+          << "without its position it is not known that the sensor leans";
     }
   }
 }
@@ -374,8 +385,8 @@ TEST (PlaneKinds, OfWallsAreWallsThoughSomeGroundFarAwaySlopes)
 {
   Rectangles street;
   street.sensor = {0, 0, 0};
-  street.add ({-3, 4, -1}, {6, 0, 0}, {0, 0.3, 3});  // leans by 6 degrees
-  street.add ({40, -3, -4}, {8, 0, 1.2}, {0, 6, 0}); // 48 m^2, 8 degrees
+  street.add ({-3, 4, -1}, {6, 0, 0}, {0, 0.3, 3});  // a wall that leans by 6 degrees
+  street.add ({40, -3, -4}, {8, 0, 1.2}, {0, 6, 0}); // 48 m^2 that slope by 8 degrees
   EXPECT_EQ (street.kindsFromSensor().front(), "wall");
 }
 
@@ -384,8 +395,8 @@ TEST (PlaneKinds, OfWallsAreWallsThoughASlopeIsSeenEdgeOn)
   Rectangles street;
   street.sensor = {0, 0, 0};
   street.add ({-3, -3, -1}, {0, 6, 0}, {0, 0, 3});
-  street.add (
-      {2, -3, -0.28}, {16, 0, -2.24}, {0, 6, 0}); // 8 degrees, through the sensor
+  // A slope of 8 degrees whose plane goes through the sensor.
+  street.add ({2, -3, -0.28}, {16, 0, -2.24}, {0, 6, 0});
   EXPECT_EQ (street.kindsFromSensor().front(), "wall");
 }
 
@@ -400,7 +411,7 @@ TEST (PlaneKinds, OfACeilingOfPanelsAtTheHeightOfTheSensorAreCeilings)
              (Names{"floor", "ceiling", "ceiling", "ceiling", "ceiling"}));
 }
 
-TEST (PlaneKinds, OfASlopeBesideALevelFloorIsARampThoughItIsTheLarger)
+TEST (PlaneKinds, OfASlopeBesideASmallerLevelFloorIsARamp)
 {
   Rectangles garage;
   garage.level (0.0, 4_m, 5_m).add ({4, 0, 0}, {10, 0, 1.4}, {0, 5, 0});
@@ -413,7 +424,7 @@ TEST (PlaneKinds, OfNoPlanesAreNone)
   EXPECT_TRUE (planeKinds ({}, {}, Vector3d::UnitZ()).empty());
 }
 
-TEST (PlaneKinds, RefuseWhatHasNoMeaning)
+TEST (PlaneKinds, RefuseMissingExtentsAndInvalidParameters)
 {
   const Rectangles room = shell();
   const Vector3d up = Vector3d::UnitZ();
@@ -425,13 +436,14 @@ TEST (PlaneKinds, RefuseWhatHasNoMeaning)
                 std::invalid_argument);
 }
 
-TEST (PlaneKinds, RefusePlanesWithoutAHeight)
+TEST (PlaneKinds, RefusePlanesWhoseHeightIsNotFinite)
 {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   Rectangles room = shell();
   const Vector3d up = Vector3d::UnitZ();
   EXPECT_THROW (planeKinds (room.planes, room.extents, up, 1e-320),
-                std::invalid_argument);
+                std::invalid_argument)
+      << "a meter so short that heights in meters are infinite";
   room.planes[0].centroid.z() = not_a_number;
   EXPECT_THROW (planeKinds (room.planes, room.extents, up), std::invalid_argument);
 }

@@ -11,7 +11,7 @@ using namespace pcl_ops;
 
 namespace {
 
-constexpr double noise = 3_mm;
+constexpr double noise = 3_mm; // of all points
 
 /** \brief Noisy squares of 2 m x 2 m as a detector returns them. */
 struct Squares {
@@ -19,18 +19,21 @@ struct Squares {
   std::vector<PlaneSegment> planes = {};
   RandomGenerator generator = RandomGenerator (seedOfTest());
 
-  /** \brief Adds a square of steps x steps points, with the fitted plane. */
+  /** \brief Adds a square of steps x steps points and the plane fitted to them, whose
+   * normal points to the same side as the given one. */
   Squares&
   add (const Vector3d& normal, const Vector3d& center, int steps = 40)
   {
-    const Vector3d u = normal.unitOrthogonal(), v = normal.cross (u).normalized();
+    const Vector3d first = normal.unitOrthogonal();
+    const Vector3d second = normal.cross (first).normalized();
     pcl::Indices inliers;
     for (int i = 0; i < steps; ++i)
       for (int j = 0; j < steps; ++j) {
         inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
-        cloud.push_back (toPoint (
-            center + (2.0 * i / steps - 1.0) * u + (2.0 * j / steps - 1.0) * v +
-            noise * drawGaussian (generator) * normal.normalized()));
+        cloud.push_back (
+            toPoint (center + (2.0 * i / steps - 1.0) * first +
+                     (2.0 * j / steps - 1.0) * second +
+                     noise * drawGaussian (generator) * normal.normalized()));
       }
     planes.push_back (planeOfPoints (cloud, inliers, normal.normalized()));
     const std::optional<PlaneFit> fit = fitPlane (planes.back().moments);
@@ -40,6 +43,7 @@ struct Squares {
     return *this;
   }
 
+  /** \brief The planes after regularizePlanes. */
   RegularizedPlanes
   regularized (const PlaneRegularizationParameters& parameters = {}) const
   {
@@ -47,7 +51,8 @@ struct Squares {
   }
 };
 
-/** \brief A floor, two opposite walls and a wall across them, with noise. */
+/** \brief A floor, two opposite walls and a wall at right angles to them, in this
+ * order. */
 Squares
 box ()
 {
@@ -58,6 +63,7 @@ box ()
   return box.add ({0, 1, 0}, {0, -2, 1});
 }
 
+/** \brief Cosine of the angle between the normals. */
 double
 cosine (const PlaneSegment& first, const PlaneSegment& second)
 {
@@ -126,12 +132,12 @@ TEST (PlaneRegularization, MakesPartsOfOneWallCoplanarThoughOneBeforeItIsOfASize
 TEST (PlaneRegularization, KeepsPartsApartThatAreThreeTimesTheNoiseOfBothFromEachOther)
 {
   // The noise of both is sqrt (2) * 3 mm; three times that are 13 mm.
-  PlaneRegularizationParameters far;
-  far.max_displacement = 1e3;
+  PlaneRegularizationParameters any_displacement;
+  any_displacement.max_displacement = 1e3;
   const auto areOnOneLevel = [&] (double distance) {
     Squares parts;
     parts.add ({1, 0, 0}, {0, 0, 1}).add ({1, 0, 0}, {distance, 5, 1});
-    const RegularizedPlanes found = parts.regularized (far);
+    const RegularizedPlanes found = parts.regularized (any_displacement);
     return found.moves[0].level == found.moves[1].level;
   };
   EXPECT_TRUE (areOnOneLevel (10_mm));
@@ -172,7 +178,8 @@ TEST (PlaneRegularization, LeavesPlanesThatWouldMoveFartherThanTheirNoise)
 
 TEST (PlaneRegularization, MakesWallsParallelThatLeanToBothSidesOfOneRightAngle)
 {
-  // Seven degrees apart, and 3.5 degrees from a right angle with the floor.
+  // Two walls with an angle of 7 degrees between them, each 3.5 degrees off the right
+  // angle to the floor.
   PlaneRegularizationParameters parameters;
   parameters.max_angle = 5_deg;
   parameters.max_displacement = 1e3;
@@ -206,12 +213,12 @@ TEST (PlaneRegularization, IsTheSameInUtmCoordinates)
     EXPECT_LT ((here.planes[i].normal - there.planes[i].normal).norm(), 1e-9);
 }
 
-TEST (PlaneRegularization, OfNoPlanesIsNone)
+TEST (PlaneRegularization, OfNoPlanesIsEmpty)
 {
   EXPECT_TRUE (Squares().regularized().planes.empty());
 }
 
-TEST (PlaneRegularization, RefusesWhatHasNoMeaning)
+TEST (PlaneRegularization, RefusesInvalidParameters)
 {
   const Squares scene = box();
   PlaneRegularizationParameters wrong;

@@ -16,11 +16,12 @@ using namespace pcl_ops;
 
 /** \brief Rectangles as planes whose normals point to a sensor; z is up. */
 struct Rectangles {
+  /** \brief Position of the sensor that sees rectangles added from now on [m]. */
   Vector3d sensor = {2.0, 1.5, 1.2};
   std::vector<PlaneSegment> planes = {};
   std::vector<PlaneExtent> extents = {};
 
-  /** \brief Adds the rectangle with a corner and two edges from it. */
+  /** \brief Adds the rectangle with a corner and two edge vectors from it [m]. */
   Rectangles&
   add (const Vector3d& corner, const Vector3d& first, const Vector3d& second)
   {
@@ -55,7 +56,7 @@ struct Rectangles {
   }
 
   /** \brief The name of the kind of each plane.
-   * \param[in] viewpoint position of the sensor, if planeKinds is to know it */
+   * \param[in] viewpoint position of the sensor that planeKinds is told, if any */
   std::vector<std::string>
   kinds (const std::optional<Vector3d>& viewpoint = {},
          const Vector3d& up = Vector3d::UnitZ()) const
@@ -67,13 +68,14 @@ struct Rectangles {
     return names;
   }
 
-  /** \brief The same where planeKinds knows the position of the sensor. */
+  /** \brief The same for planeKinds that knows the position of the sensor. */
   std::vector<std::string>
   kindsFromSensor (const Vector3d& up = Vector3d::UnitZ()) const
   {
     return kinds (sensor, up);
   }
 
+  /** \brief The name of the kind of the plane that was added last. */
   std::string
   lastKind () const
   {
@@ -81,7 +83,8 @@ struct Rectangles {
   }
 };
 
-/** \brief A room of 4 m x 3 m x 2.5 m seen from within: floor, ceiling, four walls. */
+/** \brief A room of 4 m x 3 m x 2.5 m seen from within: floor, ceiling, four walls, in
+ * this order. */
 inline Rectangles
 shell ()
 {

@@ -14,8 +14,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/** \brief Six noisy sides of a box with edges of 2 m: sides i and i + 3 are opposite
- * and tilted against each other by 0.4 degrees. */
+/** \brief Six sides of a box with edges of 2 m, with a noise of 5 mm: sides i and i + 3
+ * are opposite, and the angle between them is 0.4 degrees. */
 struct Box {
   std::vector<PlaneSegment> planes = {};
   std::vector<Kernel::Point_3> points = {};
@@ -26,16 +26,16 @@ struct Box {
     RandomGenerator generator (seedOfTest());
     for (int side = 0; side < 6; ++side) {
       const double tilt = side < 3 ? 0.2_deg : -0.2_deg;
-      const Vector3d across = Vector3d::Unit (side % 3),
-                     along = Vector3d::Unit ((side + 1) % 3);
+      const Vector3d across = Vector3d::Unit (side % 3);
+      const Vector3d along = Vector3d::Unit ((side + 1) % 3);
       const Vector3d corner = side < 3 ? Vector3d::Zero() : Vector3d (2.0 * across);
-      const Vector3d normal = std::cos (tilt) * across + std::sin (tilt) * along,
-                     u = std::cos (tilt) * along - std::sin (tilt) * across,
-                     v = Vector3d::Unit ((side + 2) % 3);
+      const Vector3d normal = std::cos (tilt) * across + std::sin (tilt) * along;
+      const Vector3d first_edge = std::cos (tilt) * along - std::sin (tilt) * across;
+      const Vector3d second_edge = Vector3d::Unit ((side + 2) % 3);
       Moments moments;
       for (int i = 0; i < 900; ++i) {
-        const Vector3d point = corner + 2.0 * drawUnit (generator) * u +
-                               2.0 * drawUnit (generator) * v +
+        const Vector3d point = corner + 2.0 * drawUnit (generator) * first_edge +
+                               2.0 * drawUnit (generator) * second_edge +
                                5_mm * drawGaussian (generator) * normal;
         moments.add (point.x(), point.y(), point.z());
         points.emplace_back (point.x(), point.y(), point.z());
@@ -49,7 +49,8 @@ struct Box {
     }
   }
 
-  /** \brief The normals of the planes after CGAL regularized them. */
+  /** \brief The normals of the planes after CGAL regularized them.
+   * \param[in] max_angle largest angle between planes made parallel [rad] */
   std::vector<Vector3d>
   normalsOfCgal (double max_angle) const
   {

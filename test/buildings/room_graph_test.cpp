@@ -5,8 +5,10 @@
 
 namespace {
 
+/** \brief Indices into FloorPlan::rooms. */
 using Rooms = std::vector<std::size_t>;
 
+/** \brief The openings of all walls, wall after wall. */
 std::vector<PlanOpening>
 allOpenings (const FloorPlan& plan)
 {
@@ -38,6 +40,7 @@ TEST (RoomGraph, HasTheRoomsBeforeAndBehindADoorOnBothSidesOfItsWall)
 
 TEST (RoomGraph, HasTheRoomBehindAWallOfWhichOneSideWasSeen)
 {
+  // Two rooms with a wall of 30 cm between them, seen from the left room alone.
   Building flat;
   for (const double x : {0.0, 4.3}) {
     flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
@@ -58,12 +61,12 @@ TEST (RoomGraph, HasNoWayThroughAWindow)
   for (const PlanOpening& opening : windows) {
     EXPECT_FALSE (opening.isDoor());
     EXPECT_TRUE (opening.room_before && opening.room_behind)
-        << "one looks into the other";
+        << "a window between rooms";
   }
   EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms());
 }
 
-TEST (RoomGraph, HasAWayOverAThreshold)
+TEST (RoomGraph, HasAWayOverASillAsLowAsAThreshold)
 {
   const auto roomsBehind = [] (double sill) {
     const Opening opening = {1.0, 1.9, sill, 2.0};
@@ -82,23 +85,24 @@ TEST (RoomGraph, HasNoRoomBehindADoorThatLeadsOut)
   EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms());
 }
 
-TEST (IsInRoom, IsFalseInAShaft)
+TEST (IsInRoom, IsFalseInAShaftAndOutside)
 {
-  PlanRoom around;
+  PlanRoom around; // a shaft of 2 m x 2 m
   around.rings = {{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {2, 4}, {4, 4}, {4, 2}}};
-  EXPECT_TRUE (pcl_ops::internal::buildings::isInRoom (around, {1, 1}));
-  EXPECT_FALSE (pcl_ops::internal::buildings::isInRoom (around, {3, 3}));
-  EXPECT_FALSE (pcl_ops::internal::buildings::isInRoom (around, {7, 3}));
+  using pcl_ops::internal::buildings::isInRoom;
+  EXPECT_TRUE (isInRoom (around, {1, 1}));
+  EXPECT_FALSE (isInRoom (around, {3, 3})) << "in the shaft";
+  EXPECT_FALSE (isInRoom (around, {7, 3})) << "outside";
 }
 
-TEST (UnseenPartsOfRooms, AreNoneWhereWallsAreAllAroundButForADoor)
+TEST (UnseenPartsOfRooms, AreNoneOfARoomWithFourWallsAndADoor)
 {
   EXPECT_TRUE (roomOf4By3().plan().rooms.at (0).unseen.empty());
 }
 
 TEST (UnseenPartsOfRooms, AreThoseOfTheOutlineWithoutAWall)
 {
-  Building room;
+  Building room; // of the wall at x = 4 m only the first meter was seen
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
   room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 1}).wall ({4, 3}, {0, 3});
   room.wall ({0, 3}, {0, 0});

@@ -8,31 +8,31 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-// LevelPlane::faces_down: the side that it was seen from.
+// LevelPlane has a height [m], an area [m^2] and two flags. The first one, faces_down,
+// says from which side the plane was seen; the second one is is_below_sensor.
 const bool from_below = true;
 const bool from_above = false;
-// LevelPlane::is_below_sensor.
 const bool below_sensor = true;
 
 constexpr double no_ceiling = -1.0;
 
-/** \brief The heights of the floor and of the ceiling of each story, or no_ceiling.
- * \param[in] planes height [m], area [m^2] and side of each
- * \param[in] lowest height of the lowest plane [m] */
-std::vector<std::pair<double, double>>
+/** \brief The heights of the floor and of the ceiling of each story [m]. */
+using StoryHeights = std::vector<std::pair<double, double>>;
+
+/** \brief The stories of level planes; their ceiling is no_ceiling where none was seen.
+ * \param[in] lowest height of the lowest plane of the scene, of any direction [m] */
+StoryHeights
 heightsOfStories (const std::vector<LevelPlane>& planes, double lowest = 0.0)
 {
-  std::vector<std::pair<double, double>> heights;
+  StoryHeights heights;
   for (const Story& story : storiesOf (levelsOf (planes), lowest))
     heights.emplace_back (story.floor, story.ceiling.value_or (no_ceiling));
   return heights;
 }
 
-using StoryHeights = std::vector<std::pair<double, double>>;
-
 } // namespace
 
-TEST (Levels, ArePlanesWithin15CentimetersAtTheirMeanHeightByArea)
+TEST (Levels, ArePlanesWithin15CentimetersAndHaveTheirMeanHeightByArea)
 {
   const std::vector<Level> levels = levelsOf (
       {{2.5, 12.0, from_below}, {0.1, 1.0, from_above}, {0.0, 3.0, from_above}});
@@ -79,6 +79,7 @@ TEST (Stories, BeginAtTheLowestPlaneWhereNoFloorWasSeen)
 
 TEST (Stories, HaveNoFloorAtATableTop)
 {
+  // The table top has less than a fifth of the area of the ceiling.
   EXPECT_EQ (heightsOfStories ({{0.75, 2.0, from_above}, {2.5, 12.0, from_below}}),
              (StoryHeights{{0.0, 2.5}}));
 }

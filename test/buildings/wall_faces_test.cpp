@@ -10,6 +10,7 @@ namespace {
 constexpr double cut_height = 1.2; // [m]
 
 /** \brief The face of a wall along the x axis whose front is towards +y.
+ * \param[in] points of the wall
  * \param[in] plane index of its plane */
 WallFace
 faceAlongX (const PlanPoints& points, std::size_t plane)
@@ -17,9 +18,8 @@ faceAlongX (const PlanPoints& points, std::size_t plane)
   return faceOf ({0, 1, 0}, points, plane, cut_height);
 }
 
-/** \brief Adds a grid of points on an upright rectangle 2 m high, from one x to
- * another.
- */
+/** \brief Adds a grid of points on an upright rectangle, 2 m high, at this y and from
+ * one x to another. */
 void
 addUpright (double y, double from, double to, PlanPoints& points)
 {
@@ -36,16 +36,17 @@ TEST (WallFaces, KeepTheirEndsThoughALeafIsSeenBeyondTheGap)
   addUpright (0.0, 0.0, 1_m, points);
   addUpright (0.0, 2_m, 4_m, points);
   const WallFace wall = faceAlongX (points, 0);
-  PlanPoints of_leaf; // set back by 10 cm, and a centimeter beyond the gap at both ends
+  // Set back by 10 cm; at both ends a centimeter longer than the gap.
+  PlanPoints of_leaf;
   addUpright (-0.1, 0.99, 2.01, of_leaf);
   const WallFace leaf = faceAlongX (of_leaf, 1);
   const std::vector<WallFace> walls = withoutRecesses ({wall, leaf}, {});
   ASSERT_EQ (walls.size(), 1u) << "the leaf is no wall";
-  ASSERT_EQ (walls[0].cut.size(), 2u);
-  // Parts of the cut along the line of the wall.
+  ASSERT_EQ (walls[0].at_cut.size(), 2u);
+  // The intervals of the wall at the cut do not change.
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR (walls[0].cut[i].from, wall.cut[i].from, 1_mm);
-    EXPECT_NEAR (walls[0].cut[i].to, wall.cut[i].to, 1_mm);
+    EXPECT_NEAR (walls[0].at_cut[i].from, wall.at_cut[i].from, 1_mm);
+    EXPECT_NEAR (walls[0].at_cut[i].to, wall.at_cut[i].to, 1_mm);
   }
 }
 
@@ -61,30 +62,31 @@ TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
   const std::vector<WallFace> walls =
       withoutRecesses ({faceAlongX (points, 0), faceAlongX (of_leaf, 1)}, {});
   ASSERT_EQ (walls.size(), 1u);
-  double length = 0.0;
-  for (const auto& [from, to] : walls[0].cut)
-    length += to - from;
-  EXPECT_NEAR (length, 3_m, 5_cm);
+  double length_at_cut = 0.0;
+  for (const auto& [from, to] : walls[0].at_cut)
+    length_at_cut += to - from;
+  EXPECT_NEAR (length_at_cut, 3_m, 5_cm) << "the meter of the gap is left out";
 }
 
 TEST (WallFaces, OfFurnitureStandBeforeAWallThatIsSeenAboveThem)
 {
-  // How many are kept of two faces: of a wall with heights from low to top, and of a
-  // front 2 m high at a distance before it. side: 1 if both face the same way, else -1.
+  // How many of two faces are kept: that of a wall with points from a lowest to a
+  // highest height, and that of a front 2 m high at a distance before it. side is 1 if
+  // both face the same way, and -1 if they face in opposite directions.
   const auto facesKept =
-      [] (double distance, double top, double side, double low = 0.0) {
+      [] (double distance, double highest, double side, double lowest = 0.0) {
         PlanPoints of_front;
         addUpright (distance, 1_m, 2_m, of_front);
         PlanPoints of_wall;
         for (double x = 0.0; x < 4.0; x += 5_cm)
-          for (double z = low + 0.025; z < top; z += 5_cm)
+          for (double z = lowest + 0.025; z < highest; z += 5_cm)
             of_wall.emplace_back (x, 0.0, z);
         return withoutFurniture ({faceAlongX (of_wall, 0),
                                   faceOf ({0, side, 0}, of_front, 1, cut_height)})
             .size();
       };
   EXPECT_EQ (facesKept (0.4, 2.5, 1.0), 1u);
-  EXPECT_EQ (facesKept (0.4, 2.0, 1.0), 2u) << "the wall is as low";
+  EXPECT_EQ (facesKept (0.4, 2.0, 1.0), 2u) << "the wall is as low as the front";
   EXPECT_EQ (facesKept (1.5, 2.5, 1.0), 2u) << "no furniture is so deep";
   EXPECT_EQ (facesKept (0.4, 2.5, -1.0), 2u) << "the side of another room";
   EXPECT_EQ (facesKept (0.4, 5.0, 1.0, 2.8), 2u) << "a wall of the next story";
@@ -115,12 +117,12 @@ TEST (WallFaces, OfNoPointsAreNone)
 
 TEST (WallFaces, AreCutWithin5CentimetersOfTheHeight)
 {
-  const auto isCut = [] (double top) {
-    PlanPoints points; // 1 cm apart, up to somewhere below the cut
+  const auto isCut = [] (double highest) {
+    PlanPoints points; // 1 cm apart; the highest ones are below the cut at 1.2 m
     for (double x = 0.0; x < 1.0; x += 1_cm)
-      for (double z = top; z > top - 0.5; z -= 1_cm)
+      for (double z = highest; z > highest - 0.5; z -= 1_cm)
         points.emplace_back (x, 0.0, z);
-    return !faceAlongX (points, 0).cut.empty();
+    return !faceAlongX (points, 0).at_cut.empty();
   };
   EXPECT_TRUE (isCut (1.16));
   EXPECT_FALSE (isCut (1.14));
@@ -128,12 +130,12 @@ TEST (WallFaces, AreCutWithin5CentimetersOfTheHeight)
 
 TEST (WallFaces, AreCutWithinThreeSpacingsWherePointsAreFarApart)
 {
-  const auto isCut = [] (double top) {
-    PlanPoints points; // 10 cm apart, up to somewhere below the cut
+  const auto isCut = [] (double highest) {
+    PlanPoints points; // 10 cm apart; the highest ones are below the cut at 1.2 m
     for (double x = 0.0; x < 3.0; x += 10_cm)
-      for (double z = top; z > top - 2.0; z -= 10_cm)
+      for (double z = highest; z > highest - 2.0; z -= 10_cm)
         points.emplace_back (x, 0.0, z);
-    return !faceAlongX (points, 0).cut.empty();
+    return !faceAlongX (points, 0).at_cut.empty();
   };
   EXPECT_TRUE (isCut (0.95));
   EXPECT_FALSE (isCut (0.8));
@@ -141,6 +143,7 @@ TEST (WallFaces, AreCutWithinThreeSpacingsWherePointsAreFarApart)
 
 TEST (WallFaces, HaveNoGapsUpTo25CentimetersOrSixSpacings)
 {
+  // The number of parts of a wall that has a gap without points.
   const auto partsSeen = [] (double spacing, double gap) {
     PlanPoints points;
     for (double x = 0.0; x < 4.0; x += spacing)
@@ -157,6 +160,7 @@ TEST (WallFaces, HaveNoGapsUpTo25CentimetersOrSixSpacings)
 
 TEST (WallFaces, AreNoLeavesLessThan2CentimetersBehindOrMoreThan45)
 {
+  // The number of walls among a wall with a gap and a leaf this far behind the gap.
   const auto wallsWithLeaf = [] (double behind) {
     PlanPoints points;
     addUpright (0.0, 0.0, 1_m, points);

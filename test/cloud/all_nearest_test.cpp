@@ -5,34 +5,46 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <tuple>
 
 using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief The nearest neighbors of each point by brute force: for each point the
- * indices of \p number others, by distance, then by index. */
+/** \brief Another point as a candidate for a nearest neighbor. */
+struct Candidate {
+  float squared_distance; // [m^2]
+  std::uint32_t index;
+};
+
+/** \brief The nearest neighbors of each point by brute force: for point 0 the indices
+ * of \p number others, by distance, then by index; after them those for point 1, and so
+ * on. */
 Indices
 nearestOfEach (const Coordinates& points, std::size_t number)
 {
   Indices nearest;
   for (std::uint32_t own = 0; own < points.size(); ++own) {
-    std::vector<std::pair<float, std::uint32_t>> others; // squared distance, index
+    std::vector<Candidate> others;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const float x = points.x[i] - points.x[own];
       const float y = points.y[i] - points.y[own];
       const float z = points.z[i] - points.z[own];
       if (i != own)
-        others.emplace_back (x * x + y * y + z * z, i);
+        others.push_back ({x * x + y * y + z * z, i});
     }
-    std::sort (others.begin(), others.end());
+    std::sort (
+        others.begin(), others.end(), [] (const Candidate& a, const Candidate& b) {
+          return std::tie (a.squared_distance, a.index) <
+                 std::tie (b.squared_distance, b.index);
+        });
     for (std::size_t k = 0; k < number; ++k)
-      nearest.push_back (others[k].second);
+      nearest.push_back (others[k].index);
   }
   return nearest;
 }
 
+/** \brief Fails unless findAllNearest finds what brute force finds. */
 void
 expectAllNearest (const Coordinates& points, std::size_t number)
 {
@@ -65,7 +77,7 @@ TEST (AllNearest, AreThoseOfBruteForce)
   expectAllNearest (points, 20);
 }
 
-TEST (AllNearest, AreTheLowestNumbersOfEquallyNearPoints)
+TEST (AllNearest, AreThoseOfLowestIndexAmongEquallyNearPoints)
 {
   Coordinates grid;
   for (int x = 0; x < 15; ++x)
@@ -83,22 +95,22 @@ TEST (AllNearest, AreFoundWhereTheDensityJumps)
   expectAllNearest (points, 12);
 }
 
-TEST (AllNearest, AreFoundAroundAPlaceWhereTheDensityGrowsWithoutEnd)
+TEST (AllNearest, AreFoundWhereTheDensityGrowsTowardsZero)
 {
   Coordinates points;
-  for (float size = 1e-4f; size < 1e4f; size *= 2.0f)
-    addDrawn (60, -0.5f * size, size, points);
+  for (float edge = 1e-4f; edge < 1e4f; edge *= 2.0f)
+    addDrawn (60, -0.5f * edge, edge, points);
   expectAllNearest (points, 12);
 }
 
 TEST (AllNearest, AreFoundAlongRingsOfALidar)
 {
-  Coordinates points;
+  Coordinates points; // on the ground, 1.7 m below the lidar at zero
   for (int ring = 1; ring <= 4; ++ring)
     for (int i = 0; i < 200; ++i) {
-      const float angle = 0.03f * static_cast<float> (i);
-      const float radius = 5.0f * static_cast<float> (ring);
-      points.add (radius * std::cos (angle), radius * std::sin (angle), -1.7f);
+      const float azimuth = 0.03f * static_cast<float> (i);  // [rad]
+      const float radius = 5.0f * static_cast<float> (ring); // [m]
+      points.add (radius * std::cos (azimuth), radius * std::sin (azimuth), -1.7f);
     }
   expectAllNearest (points, 20);
 }
@@ -110,7 +122,7 @@ TEST (AllNearest, MayBeAllOthers)
   expectAllNearest (points, 8);
 }
 
-TEST (AllNearest, OfPointsAtOnePlaceAreTheLowestNumbers)
+TEST (AllNearest, OfEqualPointsAreThoseOfLowestIndex)
 {
   Coordinates points;
   for (int i = 0; i < 40; ++i)
@@ -144,7 +156,7 @@ TEST (AllNearest, AreTheSameForAnyNumberOfThreads)
   EXPECT_EQ (findAllNearest (tree, 10, 4), findAllNearest (tree, 10, one_thread));
 }
 
-TEST (AllNearest, AreFoundAmongPointsAsFarApartAsNumbersGo)
+TEST (AllNearest, AreFoundWhereSquaredDistancesAreInfiniteInSinglePrecision)
 {
   Coordinates points;
   addDrawn (50, 0.0f, 1.0f, points);

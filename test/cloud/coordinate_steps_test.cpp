@@ -8,13 +8,16 @@ using namespace pcl_ops;
 
 namespace {
 
+/** \brief The nearest multiple of the step; the length itself if the step is 0. */
 double
 rounded (double length, double step)
 {
   return step > 0.0 ? step * std::round (length / step) : length;
 }
 
-/** \brief Points of a cube of 5 m; an axis with step 0 is not rounded. */
+/** \brief Points drawn in a cube of 5 m, rounded to these steps along x, y and z [m];
+ * an axis with a step of 0 is not rounded.
+ * \param[in] offset of all coordinates, added after they are rounded [m] */
 Coordinates
 cubeRoundedTo (const Eigen::Vector3d& steps, double offset = 0.0)
 {
@@ -36,9 +39,11 @@ TEST (CoordinateSteps, AreThoseOfEachAxis)
 {
   for (const Eigen::Vector3d& steps :
        {Eigen::Vector3d (1_cm, 1_cm, 1_cm), {0.0, 0.0, 1_mm}, {2_mm, 5_mm, 0.0}})
-    for (const double offset : {0.0, 100.04})
-      EXPECT_LT ((coordinateSteps (cubeRoundedTo (steps, offset)) - steps).norm(), 1e-4)
-          << steps.transpose() << ", " << offset;
+    for (const double multiple_of_steps : {0.0, 100.04}) {
+      const Coordinates points = cubeRoundedTo (steps, multiple_of_steps);
+      EXPECT_LT ((coordinateSteps (points) - steps).norm(), 1e-4)
+          << steps.transpose() << ", " << multiple_of_steps;
+    }
 }
 
 TEST (CoordinateSteps, OfTwoHeightsOneStepApartAreThatStep)
@@ -47,8 +52,9 @@ TEST (CoordinateSteps, OfTwoHeightsOneStepApartAreThatStep)
   for (std::size_t i = 0; i < floor.size(); ++i)
     floor.z[i] = i % 2 == 0 ? 2.93F : 2.94F;
   EXPECT_NEAR (coordinateSteps (floor).z(), 1_cm, 1e-4);
+  // Heights 4 cm apart are both sides of a board and no steps.
   for (std::size_t i = 0; i < floor.size(); i += 2)
-    floor.z[i] = 2.9F; // both sides of a board of 4 cm
+    floor.z[i] = 2.9F;
   EXPECT_EQ (coordinateSteps (floor).z(), 0.0);
 }
 

@@ -9,7 +9,8 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief 300 points, and after them copies of the first 50. */
+/** \brief 300 points, many of which have the same x, and then copies of the first 50.
+ */
 Coordinates
 pointsWithCopies ()
 {

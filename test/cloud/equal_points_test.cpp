@@ -9,8 +9,7 @@ namespace {
 
 constexpr std::uint32_t lone_points = 1000;
 
-/** \brief Points that are alone at their places, and after them \p number points at
- * (x, 0, 0). */
+/** \brief 1000 points without equals, and after them \p number points at (x, 0, 0). */
 Coordinates
 lonePointsAnd (std::size_t number, float x)
 {
@@ -25,8 +24,10 @@ lonePointsAnd (std::size_t number, float x)
 TEST (FirstAtPlace, IsNotLookedForWhereAllPointsAreAlone)
 {
   EXPECT_TRUE (firstAtPlace (lonePointsAnd (0, 0.0f), one_thread).empty());
-  constexpr int edge = 22;
-  Coordinates lattice; // whole numbers have few bits that differ
+  // Coordinates that are small whole numbers have most of their bits in common: a weak
+  // hash would give many of these points the same one.
+  constexpr int edge = 22; // of a cube of points 1 m apart [points]
+  Coordinates lattice;
   for (int i = 0; i < edge * edge * edge; ++i)
     lattice.add (i % edge, i / edge % edge, i / edge / edge);
   EXPECT_TRUE (firstAtPlace (lattice, one_thread).empty());
@@ -36,21 +37,26 @@ TEST (FirstAtPlace, IsNoReadingWhereManyShareOnePlace)
 {
   for (const float x : {0.0f, 17.5f}) {
     const FirstAtPlace first = firstAtPlace (lonePointsAnd (50, x), one_thread);
-    ASSERT_EQ (first.size(), 1050u);
-    for (std::uint32_t i = 0; i < 1050; ++i)
+    ASSERT_EQ (first.size(), lone_points + 50);
+    for (std::uint32_t i = 0; i < first.size(); ++i)
       EXPECT_EQ (first[i], i < lone_points ? i : no_reading);
   }
 }
 
 TEST (FirstAtPlace, IsThePointItselfWhereFewHaveEqualsBesideMissingReadings)
 {
-  Coordinates points = lonePointsAnd (50, 0.0f); // 50 missing readings
-  for (std::size_t i = 0; i < 20; ++i)
+  constexpr std::uint32_t missing_readings = 50;
+  constexpr std::uint32_t copies_begin = lone_points + missing_readings;
+  constexpr std::uint32_t copies = 20;
+  Coordinates points = lonePointsAnd (missing_readings, 0.0f);
+  for (std::size_t i = 0; i < copies; ++i)
     points.add (points.x[i], points.y[i], points.z[i]);
   const FirstAtPlace first = firstAtPlace (points, one_thread);
-  ASSERT_EQ (first.size(), 1070u);
-  for (std::uint32_t i = 0; i < 1070; ++i)
-    EXPECT_EQ (first[i], i < lone_points || i >= 1050 ? i : no_reading);
+  ASSERT_EQ (first.size(), copies_begin + copies);
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
+    const bool is_reading = i < lone_points || i >= copies_begin;
+    EXPECT_EQ (first[i], is_reading ? i : no_reading);
+  }
 }
 
 TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
@@ -80,7 +86,7 @@ TEST (FirstAtPlace, TellsApartPlacesWithTheSameHash)
 
 TEST (FirstAtPlace, TakesZeroAndMinusZeroForOnePlace)
 {
-  // Half of these 30 points would be too few for missing readings.
+  // At one place, 30 points are taken for missing readings, but 15 are too few.
   Coordinates points = lonePointsAnd (30, 0.0f);
   for (std::size_t i = lone_points; i < points.size(); i += 2)
     points.y[i] = -0.0f;

@@ -10,7 +10,8 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief The voxel key of a coordinate [m]: the number of its voxel along the axis. */
+/** \brief The voxel key of a coordinate [m]: how many voxels it is from zero, rounded
+ * down. */
 std::int32_t
 keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 {

@@ -8,10 +8,10 @@ using namespace pcl_ops;
 
 namespace {
 
-/** \brief Points in a rectangle of 1 m x 0.1 m, the denser the nearer to its left side.
+/** \brief So many points in a rectangle of 1 m x 0.1 m, the denser the nearer to x = 0.
  */
 PlanarPoints
-scattered (int number)
+pointsInAStrip (int number)
 {
   RandomGenerator generator (seedOfTest());
   PlanarPoints points;
@@ -22,7 +22,8 @@ scattered (int number)
   return points;
 }
 
-/** \brief The nearest of all points in an octant around one of them. */
+/** \brief Index of the nearest of all points in an octant around one of them, found by
+ * brute force; no_neighbor if there is none. */
 std::uint32_t
 nearestIn (std::size_t octant, std::uint32_t point, const PlanarPoints& points)
 {
@@ -42,7 +43,7 @@ nearestIn (std::size_t octant, std::uint32_t point, const PlanarPoints& points)
 TEST (OctantOf, CountsEighthsOfATurnFromX)
 {
   for (std::size_t octant = 0; octant < octants; ++octant) {
-    // 20 degrees from the beginning of the octant.
+    // 20 degrees after the beginning of the octant, counter-clockwise.
     const double angle = (45.0 * static_cast<double> (octant) + 20.0) * 1.0_deg;
     EXPECT_EQ (octantOf ({std::cos (angle), std::sin (angle)}), octant);
   }
@@ -57,7 +58,7 @@ TEST (OctantOf, OfTheOppositeDirectionIsFourOn)
 
 TEST (OctantTree, FindsTheNearestPointInEachOctant)
 {
-  const PlanarPoints points = scattered (500);
+  const PlanarPoints points = pointsInAStrip (500);
   const OctantTree tree (points);
   for (std::uint32_t point = 0; point < points.size(); ++point) {
     const OctantNeighbors neighbors = tree.neighborsOf (point);
@@ -68,7 +69,7 @@ TEST (OctantTree, FindsTheNearestPointInEachOctant)
 
 TEST (OctantTree, HasEachPointInOneGroup)
 {
-  const PlanarPoints points = scattered (100);
+  const PlanarPoints points = pointsInAStrip (100);
   std::vector<int> groups_with_point (points.size(), 0);
   for (const OctantTree::Group& group : OctantTree (points).groups (one_thread))
     for (const std::uint32_t point : group.points)
@@ -78,7 +79,7 @@ TEST (OctantTree, HasEachPointInOneGroup)
 
 TEST (OctantTree, FindsNoNeighborOfAGroupInTheGroup)
 {
-  const PlanarPoints points = scattered (100);
+  const PlanarPoints points = pointsInAStrip (100);
   for (const OctantTree::Group& group : OctantTree (points).groups (one_thread))
     for (const std::uint32_t neighbor : group.neighbors.points)
       EXPECT_EQ (std::count (group.points.begin(), group.points.end(), neighbor), 0);

@@ -4,11 +4,13 @@
 #include "scene.h"
 
 #include <algorithm>
+#include <tuple>
 
 using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief So many points, drawn uniformly in a cube of 1 m. */
 Coordinates
 drawnPoints (std::size_t number)
 {
@@ -23,22 +25,32 @@ drawnPoints (std::size_t number)
   return points;
 }
 
-/** \brief The nearest points of a point, itself included, by distance, then by index.
- */
+/** \brief A point as a candidate for a nearest point. */
+struct Candidate {
+  float squared_distance; // [m^2]
+  std::uint32_t index;
+};
+
+/** \brief Indices of the points nearest to a point, itself included, by distance, then
+ * by index; fewer than wanted if there are not so many.
+ * \param[in] query index of the point */
 std::vector<std::uint32_t>
 nearestByBruteForce (const Coordinates& points, std::uint32_t query, std::size_t wanted)
 {
-  std::vector<std::pair<float, std::uint32_t>> all; // squared distance, index
+  std::vector<Candidate> all;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const float x = points.x[i] - points.x[query];
     const float y = points.y[i] - points.y[query];
     const float z = points.z[i] - points.z[query];
-    all.emplace_back (x * x + y * y + z * z, i);
+    all.push_back ({x * x + y * y + z * z, i});
   }
-  std::sort (all.begin(), all.end());
+  std::sort (all.begin(), all.end(), [] (const Candidate& a, const Candidate& b) {
+    return std::tie (a.squared_distance, a.index) <
+           std::tie (b.squared_distance, b.index);
+  });
   std::vector<std::uint32_t> nearest;
   for (std::size_t i = 0; i < std::min (wanted, all.size()); ++i)
-    nearest.push_back (all[i].second);
+    nearest.push_back (all[i].index);
   return nearest;
 }
 
@@ -62,20 +74,21 @@ TEST (PointTree, FindsWhatBruteForceFinds)
 {
   const Coordinates points = drawnPoints (500);
   const PointTree tree (points);
-  for (std::size_t p = 0; p < points.size(); ++p)
-    ASSERT_EQ (nearestOf (tree, p, 20),
-               nearestByBruteForce (points, tree.order()[p], 20));
+  for (std::size_t position = 0; position < points.size(); ++position)
+    ASSERT_EQ (nearestOf (tree, position, 20),
+               nearestByBruteForce (points, tree.order()[position], 20));
 }
 
-TEST (PointTree, TakesTheLowestNumbersOfEquallyNearPoints)
+TEST (PointTree, TakesThoseOfLowestIndexAmongEquallyNearPoints)
 {
   Coordinates grid;
   for (int x = 0; x < 12; ++x)
     for (int y = 0; y < 12; ++y)
       grid.add (static_cast<float> (x), static_cast<float> (y), 0.0f);
   const PointTree tree (grid);
-  for (std::size_t p = 0; p < grid.size(); ++p)
-    ASSERT_EQ (nearestOf (tree, p, 7), nearestByBruteForce (grid, tree.order()[p], 7));
+  for (std::size_t position = 0; position < grid.size(); ++position)
+    ASSERT_EQ (nearestOf (tree, position, 7),
+               nearestByBruteForce (grid, tree.order()[position], 7));
 }
 
 TEST (PointTree, HasEachPointOnce)

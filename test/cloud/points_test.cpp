@@ -19,7 +19,7 @@ cloudOf (std::initializer_list<pcl::PointXYZ> points)
   return cloud;
 }
 
-/** \brief A point in the frame of the input cloud. */
+/** \brief The position of point i in the frame of the input cloud. */
 Eigen::Vector3d
 inInputFrame (const Points& points, std::size_t i)
 {
@@ -65,7 +65,7 @@ TEST (FinitePoints, HaveTheSameOriginInAnyOrder)
   EXPECT_EQ (finitePoints (CloudView (cloud), one_thread).origin, origin);
 }
 
-TEST (FinitePoints, HaveTheirOriginNearEqualOnesAndBesideMissingOnes)
+TEST (FinitePoints, HaveTheirOriginAtThemIfTheyAreEqualOrOnlyOneIsNotMissing)
 {
   const float far = 1e6f;
   pcl::PointCloud<pcl::PointXYZ> cloud;
@@ -94,8 +94,9 @@ TEST (FinitePoints, KnowWhereTheyCameFrom)
   for (const pcl::Indices& given :
        {pcl::Indices{0, 1, 2}, pcl::Indices{2, 0, 1, 1}, pcl::Indices{1, 2}}) {
     const Points points = finitePoints (CloudView (cloud), one_thread, &given);
-    const bool are_all = given.size() > 2; // else all but the first point
-    EXPECT_EQ (points.index.empty(), are_all) << "of the whole cloud none is needed";
+    const bool are_all = given.size() > 2; // otherwise all but the first point
+    EXPECT_EQ (points.index.empty(), are_all)
+        << "no indices are needed for the whole cloud";
     ASSERT_EQ (points.size(), are_all ? 3u : 2u);
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_EQ (points.indexOf (i), static_cast<pcl::index_t> (are_all ? i : i + 1));
@@ -115,7 +116,8 @@ TEST (DistinctPoints, KnowWhereTheyCameFromAndWhereTheirCopiesAre)
   ASSERT_EQ (points.size(), 3u);
   EXPECT_EQ (inInputFrame (points, 1), Eigen::Vector3d (4, 5, 6));
   EXPECT_EQ (inInputFrame (points, 2), Eigen::Vector3d (7, 8, 9));
-  std::vector<std::pair<pcl::index_t, std::uint32_t>> copies; // index, its point
+  std::vector<std::pair<pcl::index_t, std::uint32_t>>
+      copies; // index in the cloud, index of its point
   for (const Copy& copy : points.copies)
     copies.emplace_back (copy.index, copy.point);
   EXPECT_EQ (copies, (decltype (copies){{1, 0}, {3, 0}, {5, 1}, {6, 2}}));
@@ -136,19 +138,21 @@ TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
 
 TEST (SamplePoints, AreTheSameInAnyOrder)
 {
-  Coordinates points, reversed;
+  Coordinates points, reversed; // no two points are equal
   for (int i = 1; i <= 1000; ++i) {
     points.add (0.37f * i, 1.0f / i, 2.0f);
     reversed.add (0.37f * (1001 - i), 1.0f / (1001 - i), 2.0f);
   }
-  const std::vector<float> some = samplePoints (points, 100).x;
-  const std::vector<float> others = samplePoints (reversed, 100).x;
-  EXPECT_TRUE (std::equal (some.begin(), some.end(), others.rbegin(), others.rend()));
-  EXPECT_GT (some.size(), 50u);
-  EXPECT_LT (some.size(), 150u);
+  constexpr std::size_t wanted = 100;
+  const std::vector<float> sample = samplePoints (points, wanted).x;
+  const std::vector<float> of_reversed = samplePoints (reversed, wanted).x;
+  EXPECT_TRUE (std::equal (
+      sample.begin(), sample.end(), of_reversed.rbegin(), of_reversed.rend()));
+  EXPECT_GT (sample.size(), wanted / 2);
+  EXPECT_LT (sample.size(), wanted * 3 / 2);
 }
 
-TEST (MedianOf, IsTheMiddleOrTheUpperOfTheTwo)
+TEST (MedianOf, IsTheMiddleValueOrTheUpperOfBothMiddleValuesOrZeroOfNone)
 {
   std::vector<float> odd{3, 1, 2}, even{4, 1, 2, 3}, none;
   EXPECT_EQ (medianOf (odd), 2.0);

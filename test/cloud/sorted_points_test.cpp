@@ -7,7 +7,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief The runs of points on the x axis, in voxels of 1 m. */
+/** \brief The runs of points on the x axis with these x [m], in voxels of 1 m. */
 PointRuns
 runsAlongX (const std::vector<float>& xs)
 {
@@ -30,28 +30,28 @@ TEST (SortedRuns, JoinPointsThatFollowEachOtherInAVoxel)
   EXPECT_EQ (runs[1].code(), mortonCode (5, 0, 0));
 }
 
-TEST (SortedRuns, OfMoreThanSixteenPointsAreSeveralAndOfNoneNone)
+TEST (SortedRuns, HaveAtMostSixteenPoints)
 {
   EXPECT_EQ (runsAlongX ({}).size(), 0u);
   const PointRuns runs = runsAlongX (std::vector<float> (35, 0.5f));
-  ASSERT_EQ (runs.size(), 3u);
+  ASSERT_EQ (runs.size(), 3u) << "35 = 16 + 16 + 3";
   EXPECT_EQ (runs[0].end(), runs[1].first());
   EXPECT_EQ (runs[1].end(), runs[2].first());
   EXPECT_EQ (runs[2].size(), 3u);
 }
 
-TEST (SortedRuns, OfAVoxelStayInTheirOrder)
+TEST (SortedRuns, OfAVoxelComeInTheOrderOfTheirPoints)
 {
   const PointRuns runs = runsAlongX ({0.1f, 5.5f, 0.9f, 5.1f, 0.2f});
   ASSERT_EQ (runs.size(), 5u);
-  const std::vector<std::uint32_t> expected{0, 2, 4, 1, 3};
+  const std::vector<std::uint32_t> expected_points{0, 2, 4, 1, 3};
   for (std::size_t i = 0; i < runs.size(); ++i)
-    EXPECT_EQ (runs[i].first(), expected[i]);
+    EXPECT_EQ (runs[i].first(), expected_points[i]);
 }
 
 TEST (SortedRuns, AscendAndCoverEveryPointOnce)
 {
-  // Points near each other, and points so far apart that codes need all their bits.
+  // Points near each other, and one so far away that codes need all their bits.
   Coordinates points = pointsInACube (40000, 4.0);
   points.add (1e9f, -1e9f, 1e9f);
   std::vector<int> runs_with_point (points.size(), 0);

@@ -36,10 +36,10 @@ TEST (VoxelGrid, PutsPointsVoxelAfterVoxelInTheirOrder)
   const VoxelGrid grid = voxelize (points, 0.5, one_thread);
   const std::uint32_t* next = grid.order->data();
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
-    const IndexRange here = grid.pointsOf (voxel);
-    EXPECT_EQ (here.begin(), next);
-    EXPECT_TRUE (std::is_sorted (here.begin(), here.end()));
-    next = here.end();
+    const IndexRange points_of_voxel = grid.pointsOf (voxel);
+    EXPECT_EQ (points_of_voxel.begin(), next);
+    EXPECT_TRUE (std::is_sorted (points_of_voxel.begin(), points_of_voxel.end()));
+    next = points_of_voxel.end();
   }
   EXPECT_EQ (next, grid.order->data() + 5000);
 }

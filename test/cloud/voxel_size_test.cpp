@@ -45,8 +45,10 @@ TEST (VoxelSize, IsTheSameInAnyOrderOfPointsAndForCoordinatesRoundedOtherwise)
       EXPECT_EQ (voxelSizeFor (others, wanted), voxelSizeFor (points, wanted));
 }
 
-TEST (VoxelSize, IsARoundNumber)
+TEST (RoundNumber, IsTheNearestMultipleOfAStepThatGrowsWithIt)
 {
+  // Steps of 0.1 from 1 to 2, of 0.25 from 2 to 5 and of 1 from 5 to 10, and these
+  // times powers of 10.
   for (const auto& [size, expected] : std::map<double, double>{{0.0104, 0.01},
                                                                {0.0512, 0.05},
                                                                {0.057, 0.06},

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PCL's templates are not compiled for a point type of the user's own: this macro makes
-// their bodies visible.
+// PCL's libraries have no code for a point type of the user's own. This macro makes the
+// headers include the bodies of PCL's templates.
 #define PCL_NO_PRECOMPILE
 #include "scene.h"
 #include <pcl_ops/oriented_point_sampling.h>
@@ -12,9 +12,9 @@ struct ThermalPoint {
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-TEST (CustomPointType, IsSegmentedIntoRegionsWithContoursOfItsOwn)
+TEST (CustomPointType, IsTheTypeOfTheCloudAndOfTheContoursOfItsRegions)
 {
-  const auto scene = room().build();
+  const LabelledScene scene = room().build();
   const auto cloud = pcl::make_shared<pcl::PointCloud<ThermalPoint>>();
   for (const pcl::PointXYZ& point : *scene.cloud) {
     ThermalPoint thermal{};
@@ -33,6 +33,7 @@ TEST (CustomPointType, IsSegmentedIntoRegionsWithContoursOfItsOwn)
   for (const pcl::PlanarRegion<ThermalPoint>& region : regions) {
     EXPECT_GE (region.getContour().size(), 4u);
     for (const ThermalPoint& corner : region.getContour())
-      EXPECT_NEAR (region.getCoefficients().dot (corner.getVector4fMap()), 0.0f, 1e-4f);
+      EXPECT_NEAR (region.getCoefficients().dot (corner.getVector4fMap()), 0.0f, 1e-4f)
+          << "distance from the plane [m]";
   }
 }

@@ -10,16 +10,16 @@ using pcl_ops::PlaneSegment;
 
 namespace {
 
-/** \brief A cloud of the points that \p make returns for positions drawn uniformly in
- * the cube from -1 to 1 along each axis. */
-template <typename Make>
+/** \brief A cloud of \p number points. Each is what \p point_from returns for a vector
+ * of three random numbers, drawn uniformly from -1 to 1. */
+template <typename PointFrom>
 Cloud::Ptr
-cloudFrom (std::size_t number, Make&& make)
+cloudFromRandom (std::size_t number, PointFrom&& point_from)
 {
   RandomGenerator generator (seedOfTest());
   const auto draw = [&] { return 2.0 * drawUnit (generator) - 1.0; };
   return cloudOf (number, [&] (float) {
-    return toPoint (make (Eigen::Vector3d{draw(), draw(), draw()}));
+    return toPoint (point_from (Eigen::Vector3d{draw(), draw(), draw()}));
   });
 }
 
@@ -31,8 +31,11 @@ planesAmong (const Cloud::ConstPtr& cloud)
   return planesOf (ops);
 }
 
+/** \brief Points on one surface.
+ * \param[in] spacing mean distance between neighboring points [m]
+ * \param[in] noise standard deviation along the normal [m] */
 LabelledScene
-sampled (const Surface& surface, double spacing, double noise)
+pointsOn (const Surface& surface, double spacing, double noise)
 {
   return Scene()
       .surface (surface.corner, surface.first, surface.second)
@@ -42,7 +45,8 @@ sampled (const Surface& surface, double spacing, double noise)
 }
 
 /** \brief Whether a plane near the only surface of a scene has more inliers than nine
- * tenths of the scene's points. */
+ * tenths of the scene's points.
+ * \param[in] max_distance as in \ref isNear [m] */
 bool
 hasSurfaceOf (const LabelledScene& scene,
               const std::vector<PlaneSegment>& planes,
@@ -54,28 +58,29 @@ hasSurfaceOf (const LabelledScene& scene,
   });
 }
 
-/** \brief Fails unless both surfaces are found in a cloud of both scenes: the noisy one
- * at most 3 cm off, the clean one at most 1 cm. */
+/** \brief Fails unless the surfaces of both scenes are found in a cloud of the points
+ * of both: the center of the noisy surface at most 3 cm from its plane, that of the
+ * precise one at most 1 cm. */
 void
-expectFindsBoth (const LabelledScene& noisy, const LabelledScene& clean)
+expectFindsBoth (const LabelledScene& noisy, const LabelledScene& precise)
 {
   const std::vector<PlaneSegment> planes =
-      planesAmong (pcl::make_shared<Cloud> (*noisy.cloud + *clean.cloud));
+      planesAmong (pcl::make_shared<Cloud> (*noisy.cloud + *precise.cloud));
   EXPECT_TRUE (hasSurfaceOf (noisy, planes, 3_cm));
-  EXPECT_TRUE (hasSurfaceOf (clean, planes, 1_cm));
+  EXPECT_TRUE (hasSurfaceOf (precise, planes, 1_cm));
 }
 
 const Surface ground = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}};
 
 } // namespace
 
-TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
+TEST (DefaultPath, MergesTwoHalvesOfAFloorIfTheNoiseOrTheMergingDistanceAllowsIt)
 {
   // A floor continues 1 cm higher beyond a gap of 1 m. Its halves are not connected and
   // become two planes. Merging joins them, as the noise of 2 cm explains the step.
   Scene halves = Scene().floor (2, 3).surface ({3, 0, 1_cm}, {2, 0, 0}, {0, 3, 0});
   Ops ops = opsOn (halves.noise (2_cm).build().cloud);
-  const auto planes = planesOf (ops);
+  const std::vector<PlaneSegment> planes = planesOf (ops);
   ASSERT_EQ (planes.size(), 1u);
   EXPECT_GE (ops.getNumberOfPlanesBeforeMerging(), 2u);
   // The merged plane has the points of both halves and lies between them.
@@ -90,109 +95,117 @@ TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
   }
 }
 
-TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)
+TEST (DefaultPath, LeavesOutAnObjectThatCrossesTheHeightOfTheFloorBeyondItsEdge)
 {
-  // A chair leg crosses the height of the floor, a meter beyond the floor's edge.
-  const auto scene =
+  // Surface 0 is the floor. Surface 1 is a chair leg, which stands a meter beyond the
+  // edge of the floor and reaches from 0.4 m below the height of the floor to 0.4 m
+  // above it.
+  const LabelledScene scene =
       Scene().floor (2, 2).surface ({3, 0, -0.4}, {0.04, 0, 0}, {0, 0, 0.8}).build();
   Ops ops = opsOn (scene.cloud);
-  const auto planes = planesOf (ops);
+  const std::vector<PlaneSegment> planes = planesOf (ops);
   ASSERT_GE (planes.size(), 1u);
   for (const pcl::index_t i : planes[0].inliers)
     EXPECT_EQ (scene.labels[i], 0);
 }
 
-TEST (DefaultPath, FollowsAThresholdForEveryPoint)
+TEST (DefaultPath, HasNoInlierFartherFromItsPlaneThanAGivenThreshold)
 {
-  const auto scene = Scene().floor (3, 3).noise (1_cm).build();
+  const LabelledScene scene = Scene().floor (3, 3).noise (1_cm).build();
   Ops ops = opsOn (scene.cloud);
   const std::size_t inliers_without_threshold = planesOf (ops).at (0).inliers.size();
   ops.setDistanceThreshold (1_cm);
   const PlaneSegment plane = planesOf (ops).at (0);
   EXPECT_LT (plane.inliers.size(), inliers_without_threshold);
   for (const pcl::index_t i : plane.inliers)
-    EXPECT_LT (std::abs ((*scene.cloud)[i].z), 12_mm) << "the plane may tilt a little";
+    EXPECT_LT (std::abs ((*scene.cloud)[i].z), 12_mm)
+        << "1 cm, and 2 mm for the tilt of the plane";
 }
 
-TEST (DefaultPath, FindsHardlyAnyPlaneOnCurvedSurfacesAndWires)
+TEST (DefaultPath, PutsHardlyAnyPointOfASphereACylinderOrAWireOnAPlane)
 {
   const struct {
     const char* name;
-    Eigen::Vector3d (*make) (const Eigen::Vector3d&);
-    double max_share; // of points on planes
+    Eigen::Vector3d (*point_from) (const Eigen::Vector3d&);
+    double max_share; // number of points on planes over number of points
   } shapes[] = {
       {"sphere", [] (const auto& p) { return Eigen::Vector3d (p.normalized()); }, 0.0},
-      // A cylinder has no flat strips between its curved patches.
+      // Radius 1 m, height 4 m. No flat strips are found along the axis.
       {"cylinder",
        [] (const auto& p) {
          return Eigen::Vector3d (
              std::cos (pi * p.x()), std::sin (pi * p.x()), 2.0 * p.y());
        },
        0.02},
-      // A wire, a helix of five turns: any two directions along a line span a plane,
-      // and so do turns side by side.
+      // A wire with five turns around a cylinder: two directions along it span a plane,
+      // and so do neighboring turns.
       {"helix",
        [] (const auto& p) {
          return Eigen::Vector3d (
              std::cos (5.0 * pi * p.x()), std::sin (5.0 * pi * p.x()), p.x());
        },
        0.05}};
-  for (const auto& [name, make, max_share] : shapes) {
+  for (const auto& [name, point_from, max_share] : shapes) {
     constexpr int points = 60000;
     std::size_t on_planes = 0;
-    for (const PlaneSegment& plane : planesAmong (cloudFrom (points, make)))
+    for (const PlaneSegment& plane : planesAmong (cloudFromRandom (points, point_from)))
       on_planes += plane.inliers.size();
     EXPECT_LE (static_cast<double> (on_planes), max_share * points) << name;
   }
 }
 
-TEST (DefaultPath, FindsNoPlaneOnMostOfANoisyBall)
+TEST (DefaultPath, PutsFewPointsOfANoisySphereOnPlanes)
 {
-  // A radius of 1 m; points are up to 1 cm off the sphere, which hides how little a
-  // small patch bends.
+  // A radius of 1 m; points are up to 1 cm off the sphere. This noise is larger than
+  // the bend of a small patch.
   const auto nearSphere = [] (const Eigen::Vector3d& p) {
     return ((1.0 + 1_cm * (p.norm() - 1.0)) * p.normalized()).eval();
   };
   constexpr std::size_t points = 60000;
   std::size_t on_planes = 0;
-  for (const PlaneSegment& plane : planesAmong (cloudFrom (points, nearSphere)))
+  for (const PlaneSegment& plane : planesAmong (cloudFromRandom (points, nearSphere)))
     on_planes += plane.inliers.size();
   EXPECT_LT (on_planes, points / 20);
 }
 
-// Clouds whose parts differ in density and noise: each part needs its own scale.
+// The parts of the following clouds differ in density or noise.
 
 TEST (DefaultPath, FindsASparseGroundBesideADenseBoard)
 {
-  // Ten points per square meter beside a hundred thousand per square meter.
   const Surface board = {{-2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  expectFindsBoth (sampled (ground, 1.0 / std::sqrt (10.0), 1_cm),
-                   sampled (board, 1.0 / std::sqrt (1e5), 1_mm));
+  constexpr double density_of_ground = 10.0, density_of_board = 1e5; // [1/m^2]
+  expectFindsBoth (pointsOn (ground, 1.0 / std::sqrt (density_of_ground), 1_cm),
+                   pointsOn (board, 1.0 / std::sqrt (density_of_board), 1_mm));
 }
 
-TEST (DefaultPath, LetsAGroundGoOnInTheRingsOfALidar)
+TEST (DefaultPath, ExtendsAFloorByLinesOfPointsBesideIt)
 {
-  // Beside a floor are two lines of points, too few for a plane of their own.
-  auto scene = Scene().floor (2, 2).spacing (2_cm).noise (2_mm).build();
+  // Beside a floor are two lines of points, as rings of a lidar are, at a distance of
+  // 10 cm: too few points for a plane of their own. Heights of 2 mm and -2 mm
+  // alternate.
+  LabelledScene scene = Scene().floor (2, 2).spacing (2_cm).noise (2_mm).build();
   const std::size_t on_floor = scene.cloud->size();
   for (const float x : {2.1f, 2.2f})
     for (int i = 0; i < 80; ++i)
       scene.cloud->push_back ({x, 0.025f * i, i % 2 == 0 ? 0.002f : -0.002f});
-  const auto planes = planesAmong (scene.cloud);
+  const std::vector<PlaneSegment> planes = planesAmong (scene.cloud);
   ASSERT_EQ (planes.size(), 1u);
-  EXPECT_GT (planes[0].inliers.size(), on_floor + 130) << "of 2 x 80 points";
+  EXPECT_GT (planes[0].inliers.size(), on_floor + 130) << "of the 160 of both lines";
 }
 
 TEST (DefaultPath, FindsAPlaneWithAThousandTimesTheNoiseOfAnother)
 {
   const Surface wall = {{-3, 0, 0}, {0, 20, 0}, {0, 0, 20}};
-  expectFindsBoth (sampled (ground, 10_cm, 10_cm), sampled (wall, 10_cm, 1e-4));
+  constexpr double noise_of_ground = 10_cm;
+  constexpr double noise_of_wall = 1e-4; // [m]
+  expectFindsBoth (pointsOn (ground, 10_cm, noise_of_ground),
+                   pointsOn (wall, 10_cm, noise_of_wall));
 }
 
-TEST (DefaultPath, FindsAPlaneOrNoneInOneVoxel)
+TEST (DefaultPath, FindsAtMostOnePlaneIfOneVoxelHoldsTheCloud)
 {
   Ops ops;
-  auto parameters = ops.getParameters();
+  Ops::Parameters parameters = ops.getParameters();
   parameters.surfels.voxel_size = 1000_m;
   ops.setParameters (parameters);
   ops.setInputCloud (room().build().cloud);

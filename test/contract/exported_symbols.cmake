@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Fails if a shared library exports a name in pcl_ops that no public header declares: each part of
-# the name has to be a word of some header.
+# Fails if a shared library exports a name in pcl_ops that no public header declares. Each part of
+# the name, as a and b of pcl_ops::a::b, has to occur as a word in some public header.
 # cmake -DNM=nm -DLIBRARY=libpcl_ops.so -DHEADERS=include/pcl_ops -P exported_symbols.cmake
 cmake_minimum_required(VERSION 3.16)
 
 file(GLOB_RECURSE headers ${HEADERS}/*.h ${HEADERS}/*.hpp)
-set(declared "")
+set(text_of_headers "")
 foreach(header ${headers})
   file(READ ${header} text)
-  string(APPEND declared "${text}")
+  string(APPEND text_of_headers "${text}")
 endforeach()
 
 execute_process(COMMAND ${NM} -DC --defined-only ${LIBRARY}
@@ -19,14 +19,14 @@ if(NOT result EQUAL 0)
   message(FATAL_ERROR "nm cannot read ${LIBRARY}")
 endif()
 
-# Square brackets and semicolons have a meaning in CMake's lists. Braces stand for lambdas and
-# unnamed types.
+# Square brackets and semicolons are removed: they have a meaning in CMake's lists. Parts in braces
+# are removed, too: nm writes them for lambdas and unnamed types.
 string(REGEX REPLACE "\\[[^]\n]*\\]|;" "" symbols "${symbols}")
 string(REGEX REPLACE "::{[^}\n]*}" "" symbols "${symbols}")
-# Remove template arguments and parameters, from the inside out; only names remain.
-set(before "")
-while(NOT symbols STREQUAL before)
-  set(before "${symbols}")
+# Template arguments and parameters are removed, the innermost first, until only names remain.
+set(previous_symbols "")
+while(NOT symbols STREQUAL previous_symbols)
+  set(previous_symbols "${symbols}")
   string(REGEX REPLACE "<[^<>\n]*>|\\([^()\n]*\\)" "" symbols "${symbols}")
 endwhile()
 string(REGEX MATCHALL "pcl_ops::[^\n]*" names "${symbols}")
@@ -41,7 +41,7 @@ foreach(name ${names})
   string(REGEX REPLACE "^pcl_ops::| .*$|operator.*$" "" path "${name}")
   string(REGEX MATCHALL "[A-Za-z0-9_]+" parts "${path}")
   foreach(part ${parts})
-    if(part STREQUAL "internal" OR NOT declared MATCHES "[^A-Za-z0-9_]${part}[^A-Za-z0-9_]")
+    if(part STREQUAL "internal" OR NOT text_of_headers MATCHES "[^A-Za-z0-9_]${part}[^A-Za-z0-9_]")
       list(APPEND undeclared ${name})
       break()
     endif()

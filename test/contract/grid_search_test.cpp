@@ -18,6 +18,7 @@ using Search = pcl_ops::GridSearch<PointXYZ>;
 
 namespace {
 
+/** A cloud of points that \p draw returns. */
 Cloud::Ptr
 randomCloud (std::size_t size, const std::function<PointXYZ (RandomGenerator&)>& draw)
 {
@@ -40,10 +41,12 @@ drawInCube (RandomGenerator& generator, double edge)
   return {x, y, z};
 }
 
+/** 3000 points drawn uniformly in a cube of 1 m centered at zero. */
 Cloud::Ptr
 uniformVolume ()
 {
-  return randomCloud (3000, [] (auto& g) { return drawInCube (g, 1_m); });
+  return randomCloud (3000,
+                      [] (auto& generator) { return drawInCube (generator, 1_m); });
 }
 
 Cloud::Ptr
@@ -52,46 +55,62 @@ onePoint ()
   return randomCloud (1, [] (auto&) { return PointXYZ (1, 2, 3); });
 }
 
+/** \ref uniformVolume in which more than half of the points are not finite. */
+Cloud::Ptr
+volumeWithoutHalfOfItsPoints ()
+{
+  Cloud::Ptr cloud = uniformVolume();
+  for (std::size_t i = 0; i < cloud->size(); i += 2)
+    (*cloud)[i].y = NAN;
+  (*cloud)[1].z = INFINITY;
+  return cloud;
+}
+
+Cloud::Ptr
+volumeBesideStrayPoints ()
+{
+  Cloud::Ptr cloud = uniformVolume();
+  cloud->push_back ({1e7f, 0, 0});
+  cloud->push_back ({-1e12f, 1e12f, 0});
+  return cloud;
+}
+
 /** Clouds by name, most of which are hard to search. */
 std::map<std::string, Cloud::Ptr>
 clouds ()
 {
-  const Cloud::Ptr broken = uniformVolume(), beside_strays = uniformVolume();
-  for (std::size_t i = 0; i < broken->size(); i += 2)
-    (*broken)[i].y = NAN;
-  (*broken)[1].z = INFINITY;
-  beside_strays->push_back ({1e7f, 0, 0});
-  beside_strays->push_back ({-1e12f, 1e12f, 0});
-  const auto drawClusters = [] (auto& g) {
-    return drawInCube (g, drawUnit (g) < 0.9 ? 1_mm : 1000_m);
+  const auto drawDenseOrSparse = [] (auto& generator) {
+    return drawInCube (generator, drawUnit (generator) < 0.9 ? 1_mm : 1000_m);
   };
-  const auto drawDuplicates = [] (auto& g) {
-    const auto i = static_cast<float> (drawBelow (g, 7));
+  const auto drawOneOfSeven = [] (auto& generator) {
+    const auto i = static_cast<float> (drawBelow (generator, 7));
     return PointXYZ (i, 2.0f * i, -i);
   };
-  const auto drawLine = [] (auto& g) {
-    const auto t = static_cast<float> (drawUnit (g));
+  const auto drawOnLine = [] (auto& generator) {
+    const auto t = static_cast<float> (drawUnit (generator));
     return PointXYZ (t, 2.0f * t, 3.0f * t);
   };
-  // The same relative distance between neighbors at every scale.
-  const auto drawSteps = [] (auto& g) {
-    return drawInCube (g, std::pow (10.0, 12.0 * drawUnit (g) - 9.0));
+  // In a cube whose edge is drawn from 1e-9 m to 1e3 m, uniformly in its logarithm: the
+  // density grows towards zero.
+  const auto drawDenserTowardsZero = [] (auto& generator) {
+    return drawInCube (generator, std::pow (10.0, 12.0 * drawUnit (generator) - 9.0));
   };
   const auto drawEqual = [] (auto&) { return PointXYZ (1, 2, 3); };
   Scene surfaces = room().spacing (10_cm);
   return {{"UniformVolume", uniformVolume()},
           {"Surfaces", surfaces.build().cloud},
           {"OnePoint", onePoint()},
-          {"Clusters", randomCloud (4000, drawClusters)},
-          {"Duplicates", randomCloud (2000, drawDuplicates)},
+          {"DenseClusterAmongSparsePoints", randomCloud (4000, drawDenseOrSparse)},
+          {"Duplicates", randomCloud (2000, drawOneOfSeven)},
           {"AllEqual", randomCloud (1000, drawEqual)},
-          {"Line", randomCloud (2000, drawLine)},
-          {"EverySmallerSteps", randomCloud (2000, drawSteps)},
+          {"Line", randomCloud (2000, drawOnLine)},
+          {"DenserTowardsZero", randomCloud (2000, drawDenserTowardsZero)},
           {"FarFromZero", surfaces.movedBy ({1e6, -2e6, 1e6}).build().cloud},
-          {"NotFinite", broken},
-          {"VolumeBesideStrayPoints", beside_strays}};
+          {"HalfNotFinite", volumeWithoutHalfOfItsPoints()},
+          {"VolumeBesideStrayPoints", volumeBesideStrayPoints()}};
 }
 
+/** The result of a search: neighbor i has indices[i] and squared_distances[i] [m^2]. */
 struct Neighbors {
   pcl::Indices indices;
   std::vector<float> squared_distances;
@@ -110,11 +129,13 @@ squaredDistance (const PointXYZ& first, const PointXYZ& second)
   return dx * dx + dy * dy + dz * dz;
 }
 
-/** What nearestKSearch finds; it has to replace what its outputs hold before. */
+const Neighbors to_be_overwritten{{99, 98, 97}, {-1.0f}};
+
+/** The k nearest neighbors by nearestKSearch, which has to overwrite its outputs. */
 Neighbors
 nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int k)
 {
-  Neighbors found{{99, 98, 97}, {-1.0f}};
+  Neighbors found = to_be_overwritten;
   const int number =
       search.nearestKSearch (query, k, found.indices, found.squared_distances);
   EXPECT_EQ (static_cast<std::size_t> (number), found.indices.size());
@@ -124,7 +145,7 @@ nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int
 
 constexpr unsigned no_limit = 0;
 
-/** What radiusSearch finds; it has to replace what its outputs hold before.
+/** The neighbors within a radius by radiusSearch, which has to overwrite its outputs.
  * \param[in] radius [m]
  * \param[in] max_neighbors 0: no limit */
 Neighbors
@@ -133,15 +154,18 @@ within (const pcl::search::Search<PointXYZ>& search,
         double radius,
         unsigned max_neighbors = no_limit)
 {
-  Neighbors found{{99, 98, 97}, {-1.0f}};
+  Neighbors found = to_be_overwritten;
   search.radiusSearch (
       query, radius, found.indices, found.squared_distances, max_neighbors);
   return found;
 }
 
-/** Neighbors within a radius, by ascending distance and then by ascending index. */
+/** The finite points within a radius of the query, from a loop over all points: by
+ * ascending distance, those at equal distances by ascending index. */
 Neighbors
-bruteForce (const Cloud& cloud, const PointXYZ& query, float squared_radius = INFINITY)
+neighborsByBruteForce (const Cloud& cloud,
+                       const PointXYZ& query,
+                       float squared_radius = INFINITY)
 {
   std::vector<std::pair<float, int>> all; // squared distance, index
   for (int i = 0; i < static_cast<int> (cloud.size()); ++i)
@@ -156,7 +180,7 @@ bruteForce (const Cloud& cloud, const PointXYZ& query, float squared_radius = IN
   return found;
 }
 
-/** Points of the cloud, points beside them, and points far away. */
+/** Some 50 points of the cloud, points up to 1 m beside these, and points far away. */
 std::vector<PointXYZ>
 queriesFor (const Cloud& cloud)
 {
@@ -164,11 +188,11 @@ queriesFor (const Cloud& cloud)
   const std::size_t stride = cloud.size() / 50 + 1;
   std::vector<PointXYZ> queries{{100, 0, 0}, {0, -1e5f, 1e5f}, {1e10f, 1e10f, 1e10f}};
   for (std::size_t i = 0; i < cloud.size(); i += stride)
-    for (const double away : {0_m, 1_mm, 1_m}) {
+    for (const double edge_of_cube : {0_m, 1_mm, 1_m}) {
       if (!pcl::isFinite (cloud[i]))
         continue;
       PointXYZ query = cloud[i];
-      query.getVector3fMap() += drawInCube (generator, away).getVector3fMap();
+      query.getVector3fMap() += drawInCube (generator, edge_of_cube).getVector3fMap();
       queries.push_back (query);
     }
   return queries;
@@ -176,19 +200,19 @@ queriesFor (const Cloud& cloud)
 
 } // namespace
 
-TEST (GridSearch, FindsWhatLookingAtAllPointsFinds)
+TEST (GridSearch, FindsTheNeighborsThatBruteForceFinds)
 {
   for (const auto& [name, cloud] : clouds()) {
     SCOPED_TRACE (name);
     Search search;
     search.setInputCloud (cloud);
     for (const PointXYZ& query : queriesFor (*cloud)) {
-      const Neighbors all = bruteForce (*cloud, query);
+      const Neighbors all = neighborsByBruteForce (*cloud, query);
       for (const std::size_t k : {1, 10, 31, 500}) {
         const Neighbors found = nearest (search, query, static_cast<int> (k));
         ASSERT_EQ (found.indices.size(), std::min (k, all.indices.size()));
-        const std::set<int> different (found.indices.begin(), found.indices.end());
-        EXPECT_EQ (different.size(), found.indices.size());
+        const std::set<int> distinct (found.indices.begin(), found.indices.end());
+        EXPECT_EQ (distinct.size(), found.indices.size());
         for (std::size_t i = 0; i < found.indices.size(); ++i) {
           const float squared_distance = found.squared_distances[i];
           EXPECT_EQ (squared_distance, all.squared_distances[i]);
@@ -198,27 +222,29 @@ TEST (GridSearch, FindsWhatLookingAtAllPointsFinds)
       }
       for (const double radius : {0_m, 1_mm, 10_cm, 1_m, 1e6_m})
         EXPECT_EQ (within (search, query, radius),
-                   bruteForce (*cloud, query, static_cast<float> (radius * radius)));
+                   neighborsByBruteForce (
+                       *cloud, query, static_cast<float> (radius * radius)));
     }
   }
 }
 
-TEST (GridSearch, GivesTheNearestOfThoseWithinTheRadius)
+TEST (GridSearch, GivesTheNearestOfTheNeighborsWithinTheRadiusIfThereIsALimit)
 {
   Search search;
   search.setInputCloud (uniformVolume());
   const PointXYZ query (0.1f, 0.1f, 0.1f);
   EXPECT_EQ (within (search, query, 1_m, 20), nearest (search, query, 20));
-  EXPECT_EQ (within (search, query, 5_cm, 1000000), within (search, query, 5_cm));
+  constexpr unsigned more_than_all = 1000000;
+  EXPECT_EQ (within (search, query, 5_cm, more_than_all), within (search, query, 5_cm));
 }
 
-TEST (GridSearch, TakesTheLowestIndexOfEquallyNearPointsWhereverTheyAre)
+TEST (GridSearch, TakesTheLowestIndexOfEquallyNearPointsOnEitherSideOfTheQuery)
 {
   for (const float side : {-1.0f, 1.0f}) {
     // The first and the last point are 1 m from the query, on opposite sides of it; all
     // others are farther.
-    const auto cloud = randomCloud (300, [&] (auto& g) {
-      const PointXYZ drawn = drawInCube (g, 1_m);
+    const Cloud::Ptr cloud = randomCloud (300, [] (auto& generator) {
+      const PointXYZ drawn = drawInCube (generator, 1_m);
       return PointXYZ (drawn.x + (drawn.x < 0.0f ? -1.1f : 1.1f), drawn.y, drawn.z);
     });
     cloud->front() = {side, 0, 0};
@@ -229,23 +255,24 @@ TEST (GridSearch, TakesTheLowestIndexOfEquallyNearPointsWhereverTheyAre)
   }
 }
 
-TEST (GridSearch, UnsortedGivesTheSameNeighbors)
+TEST (GridSearch, GivesTheSameNeighborsInAnotherOrderIfResultsNeedNotBeSorted)
 {
   constexpr bool is_sorted = true;
   Search sorted (is_sorted), unsorted (is_sorted);
   unsorted.setSortedResults (false);
-  const auto cloud = uniformVolume();
+  const Cloud::Ptr cloud = uniformVolume();
   sorted.setInputCloud (cloud);
   unsorted.setInputCloud (cloud);
-  pcl::Indices indices = nearest (sorted, {0, 0, 0}, 200).indices;
-  pcl::Indices others = nearest (unsorted, {0, 0, 0}, 200).indices;
-  EXPECT_NE (indices, others);
-  EXPECT_TRUE (std::is_permutation (indices.begin(), indices.end(), others.begin()));
+  const pcl::Indices by_distance = nearest (sorted, {0, 0, 0}, 200).indices;
+  const pcl::Indices in_any_order = nearest (unsorted, {0, 0, 0}, 200).indices;
+  EXPECT_NE (by_distance, in_any_order);
+  EXPECT_TRUE (std::is_permutation (
+      by_distance.begin(), by_distance.end(), in_any_order.begin()));
 }
 
-TEST (GridSearch, SearchesTheGivenIndicesAndTheLastCloudAlone)
+TEST (GridSearch, SearchesOnlyTheGivenIndicesAndTheCloudThatWasSetLast)
 {
-  const auto cloud = uniformVolume();
+  const Cloud::Ptr cloud = uniformVolume();
   const auto indices = pcl::make_shared<pcl::Indices> (pcl::Indices{70, 7, 700, 7});
   Search search;
   search.setInputCloud (cloud, indices);
@@ -254,13 +281,14 @@ TEST (GridSearch, SearchesTheGivenIndicesAndTheLastCloudAlone)
   EXPECT_EQ (found, (pcl::Indices{7, 70, 700}));
   EXPECT_EQ (search.getIndices(), indices);
   std::vector<float> squared_distances;
-  search.nearestKSearch (1, 1, found, squared_distances);
-  EXPECT_EQ (found, pcl::Indices{7}) << "nearest to the second of them";
+  constexpr pcl::index_t second_of_indices = 1; // point 7
+  search.nearestKSearch (second_of_indices, 1, found, squared_distances);
+  EXPECT_EQ (found, pcl::Indices{7});
   search.setInputCloud (onePoint());
-  EXPECT_EQ (nearest (search, {0, 0, 0}, 5).indices, pcl::Indices{0}) << "alone";
+  EXPECT_EQ (nearest (search, {0, 0, 0}, 5).indices, pcl::Indices{0});
 }
 
-TEST (GridSearch, FindsNothingWhereThereIsNothing)
+TEST (GridSearch, FindsNothingInNoPointsOrForAQueryThatHasNoNeighbors)
 {
   Search search;
   const PointXYZ query (0, 0, 0);
@@ -268,20 +296,28 @@ TEST (GridSearch, FindsNothingWhereThereIsNothing)
   search.setInputCloud (pcl::make_shared<Cloud>());
   EXPECT_TRUE (nearest (search, query, 5).indices.empty()) << "in an empty cloud";
   search.setInputCloud (onePoint());
-  EXPECT_TRUE (nearest (search, query, 0).indices.empty()) << "of no neighbors";
-  EXPECT_TRUE (within (search, query, 1_m).indices.empty()) << "within a meter";
-  EXPECT_TRUE (within (search, query, -9_m).indices.empty()) << "below zero";
-  EXPECT_TRUE (nearest (search, {NAN, 0, 0}, 5).indices.empty()) << "of no position";
+  EXPECT_TRUE (nearest (search, query, 0).indices.empty()) << "k is 0";
+  EXPECT_TRUE (within (search, query, 1_m).indices.empty())
+      << "the point is 3.7 m away";
+  EXPECT_TRUE (within (search, query, -9_m).indices.empty()) << "a radius below zero";
+  EXPECT_TRUE (nearest (search, {NAN, 0, 0}, 5).indices.empty())
+      << "a query that is not finite";
 }
 
-TEST (NearestCandidates, StopTakingWhatIsFartherOrAsFarWithHigherIndices)
+TEST (NearestCandidates, TakeNoPointThatIsFartherOrAsFarWithAHigherIndex)
 {
-  NearestCandidates candidates (1, INFINITY);
-  EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (5.0f), 0));
-  const std::vector<float> squared_distances (50, 1.0f);
-  const pcl::Indices indices (50, 7);
+  constexpr std::size_t wanted = 1;
+  NearestCandidates candidates (wanted, INFINITY);
+  const std::uint32_t far = NearestCandidates::bitsOf (5.0f);
+  EXPECT_TRUE (candidates.mayTake (far, 0));
+  // So many that all but the nearest are dropped.
+  constexpr pcl::index_t index = 7;
+  constexpr float squared_distance = 1.0f;
+  const std::vector<float> squared_distances (50, squared_distance);
+  const pcl::Indices indices (50, index);
   candidates.add (squared_distances.data(), indices.data(), indices.size());
-  EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (5.0f), 0));
-  EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (1.0f), 8));
-  EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (1.0f), 6));
+  EXPECT_FALSE (candidates.mayTake (far, 0));
+  const std::uint32_t as_far = NearestCandidates::bitsOf (squared_distance);
+  EXPECT_FALSE (candidates.mayTake (as_far, index + 1));
+  EXPECT_TRUE (candidates.mayTake (as_far, index - 1));
 }

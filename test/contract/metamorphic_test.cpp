@@ -10,7 +10,8 @@
 #include <map>
 #include <set>
 
-// The planes of a cloud do not depend on how the cloud is written down.
+// The planes of a cloud stay the same if it is moved, scaled or written in another
+// order, and if points are added that are on none of its surfaces.
 
 namespace {
 
@@ -18,23 +19,26 @@ using Fspf = pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>;
 using Kht = pcl_ops::KernelHoughTransform<pcl::PointXYZ>;
 using Planes = std::vector<pcl_ops::PlaneSegment>;
 
-/** \brief Index of points that were added to a cloud and have no original. */
+/** \brief In place of an index: the point was added to the cloud. */
 constexpr pcl::index_t no_original = -1;
 
-/** \brief A cloud and what is known of how it was changed; unchanged at first. */
+/** \brief A copy of a cloud, the original, which is changed later, and how its points
+ * and its unit follow from the original. */
 struct Variant {
-  explicit Variant (const Cloud& of)
-  : cloud (pcl::make_shared<Cloud> (of)), original (upTo<pcl::Indices> (of.size()))
+  explicit Variant (const Cloud& original)
+  : cloud (pcl::make_shared<Cloud> (original))
+  , original_index (upTo<pcl::Indices> (original.size()))
   {}
 
   Cloud::Ptr cloud;
-  /** \brief For each point its index in the cloud it was made from, or no_original. */
-  pcl::Indices original;
+  /** \brief For each point its index in the original cloud, or no_original. */
+  pcl::Indices original_index;
   /** \brief Length in this cloud of one unit length of the original cloud. */
   double unit = 1.0;
 };
 
-/** \param[in] unit length in the moved cloud of one unit length before */
+/** \brief Moves and scales a variant.
+ * \param[in] unit \ref Variant::unit: the scale that is part of the motion */
 void
 move (Variant& variant, const Eigen::Affine3d& motion, double unit = 1.0)
 {
@@ -60,10 +64,10 @@ reorder (Variant& variant, const pcl::Indices& order)
   for (const pcl::index_t i : order)
     ordered->push_back ((*variant.cloud)[i]);
   variant.cloud = ordered;
-  variant.original = order;
+  variant.original_index = order;
 }
 
-/** \brief Adds 1 % more points, drawn in a cube centered at zero.
+/** \brief Adds 1 % more points, drawn uniformly in a cube centered at zero.
  * \param[in] half_edge half the edge of the cube [m] */
 void
 addOutliers (Variant& variant, double half_edge)
@@ -72,21 +76,23 @@ addOutliers (Variant& variant, double half_edge)
   const auto draw = [&] { return half_edge * (2.0 * drawUnit (generator) - 1.0); };
   for (std::size_t i = variant.cloud->size() / 100; i > 0; --i)
     variant.cloud->push_back (toPoint ({draw(), draw(), draw()}));
-  variant.original.resize (variant.cloud->size(), no_original);
+  variant.original_index.resize (variant.cloud->size(), no_original);
 }
 
-/** \brief Puts missing readings, written as zeros, before all points.
- * \param[in] share number of missing readings over number of points */
+/** \brief Adds points at zero before all others: readings of a sensor that found
+ * nothing.
+ * \param[in] share number of added points over number of points before */
 void
-addMissing (Variant& variant, double share)
+addMissingReadings (Variant& variant, double share)
 {
   const auto number =
       static_cast<std::size_t> (share * static_cast<double> (variant.cloud->size()));
   variant.cloud->insert (
       variant.cloud->begin(), number, pcl::PointXYZ (0.0f, 0.0f, 0.0f));
-  variant.original.insert (variant.original.begin(), number, no_original);
+  variant.original_index.insert (variant.original_index.begin(), number, no_original);
 }
 
+/** \brief Changes of an unchanged variant, by name. */
 const std::map<std::string, void (*) (Variant&)> changes = {
     {"shifted_by_1_km",
      [] (Variant& v) {
@@ -109,44 +115,46 @@ const std::map<std::string, void (*) (Variant&)> changes = {
     {"turned", [] (Variant& v) { move (v, turnAbout (Eigen::Vector3d (1, 2, 3))); }},
     {"permuted",
      [] (Variant& v) {
-       pcl::Indices order = v.original;
+       pcl::Indices order = v.original_index;
        std::shuffle (order.begin(), order.end(), RandomGenerator (seedOfTest()));
        reorder (v, order);
      }},
     {"every_point_twice",
      [] (Variant& v) {
-       pcl::Indices order = v.original;
-       order.insert (order.end(), v.original.begin(), v.original.end());
+       pcl::Indices order = v.original_index;
+       order.insert (order.end(), v.original_index.begin(), v.original_index.end());
        reorder (v, order);
      }},
     {"every_point_thirty_times",
      [] (Variant& v) {
        pcl::Indices order;
        for (int copy = 0; copy < 30; ++copy)
-         order.insert (order.end(), v.original.begin(), v.original.end());
+         order.insert (order.end(), v.original_index.begin(), v.original_index.end());
        reorder (v, order);
      }},
-    {"half_a_per_cent_more_missing_at_zero", [] (Variant& v) { addMissing (v, 5e-3); }},
-    {"half_as_many_missing_at_zero", [] (Variant& v) { addMissing (v, 0.5); }},
+    {"missing_readings_of_half_a_percent",
+     [] (Variant& v) { addMissingReadings (v, 5e-3); }},
+    {"missing_readings_half_as_many_as_points",
+     [] (Variant& v) { addMissingReadings (v, 0.5); }},
     {"outliers_30_m", [] (Variant& v) { addOutliers (v, 30); }},
     {"outliers_10_km", [] (Variant& v) { addOutliers (v, 1e4); }},
     {"outliers_1000_km", [] (Variant& v) { addOutliers (v, 1e6); }},
     {"a_point_at_a_million_km",
      [] (Variant& v) {
        v.cloud->insert (v.cloud->begin(), pcl::PointXYZ (1e9f, -1e9f, 1e9f));
-       v.original.insert (v.original.begin(), no_original);
+       v.original_index.insert (v.original_index.begin(), no_original);
      }},
     {"viewpoint_elsewhere", [] (Variant& v) {
        v.cloud->sensor_origin_ = Eigen::Vector4f (-30.0f, 50.0f, -20.0f, 0.0f);
      }}};
 
-// Changes after which OPS, by default and on voxels, keeps every point on its plane.
-// Equal points count as one point. Far more points at one place than at others are
-// missing readings, and do not count.
+// Changes after which OPS, by default and on voxels, keeps every point on its plane:
+// equal points count as one point, and if one position has far more points than all
+// others, these are missing readings, which do not count.
 const std::set<std::string> exact_changes = {"permuted",
                                              "every_point_twice",
                                              "every_point_thirty_times",
-                                             "half_as_many_missing_at_zero"};
+                                             "missing_readings_half_as_many_as_points"};
 
 template <typename Detector>
 Planes
@@ -166,8 +174,8 @@ planesBy (Detector detector, const Variant& variant)
 
 struct Method {
   const char* name;
-  Planes (*planes) (const Variant&);
-  /** \brief Least share of the points on planes that stay on the same plane. */
+  Planes (*planes_of) (const Variant&);
+  /** \brief Smallest \ref agreement that a change other than an exact one may have. */
   double min_agreement;
 };
 
@@ -182,29 +190,32 @@ const Method methods[] = {
     {"fspf", [] (const auto& v) { return planesBy (Fspf(), v); }, 99_percent},
     {"kht", [] (const auto& v) { return planesBy (Kht(), v); }, 98_percent}};
 
-/** \brief Share of the points on \p planes that stay together: of the points of a plane
- * those count that are on one plane of the variant, the one that has most of them. */
+/** \brief Share of the points on \p planes that stay together. Each plane belongs to
+ * the plane of the variant that has most of its points; the points that both have
+ * count.
+ * \return 0 if there are no points on planes */
 double
 agreement (const Planes& planes, const Planes& of_variant, const Variant& variant)
 {
-  // For each original index the number of its plane, from 1; 0 on no plane.
-  std::map<int, std::size_t> number_after;
+  // For each original index the number of its plane of the variant, from 1; 0: none.
+  std::map<pcl::index_t, std::size_t> plane_in_variant;
   for (std::size_t p = 0; p < of_variant.size(); ++p)
     for (const pcl::index_t i : of_variant[p].inliers)
-      number_after[variant.original[i]] = p + 1;
-  double on_planes = 0.0, kept = 0.0;
+      plane_in_variant[variant.original_index[i]] = p + 1;
+  double on_planes = 0.0, together = 0.0;
   for (const pcl_ops::PlaneSegment& plane : planes) {
-    std::vector<double> shared (of_variant.size() + 1);
+    std::vector<double> shared_points (of_variant.size() + 1);
     for (const pcl::index_t i : plane.inliers)
-      ++shared[number_after[i]];
-    shared[0] = 0.0;
-    kept += *std::max_element (shared.begin(), shared.end());
+      ++shared_points[plane_in_variant[i]];
+    shared_points[0] = 0.0;
+    together += *std::max_element (shared_points.begin(), shared_points.end());
     on_planes += plane.inliers.size();
   }
-  return on_planes > 0.0 ? kept / on_planes : 0.0;
+  return on_planes > 0.0 ? together / on_planes : 0.0;
 }
 
-/** \brief A room with a table, and the noise of a good laser scanner. */
+/** \brief A room with a table, a noise of 3 mm, as of a laser scanner, and no clutter.
+ */
 Cloud
 furnishedRoom ()
 {
@@ -218,7 +229,7 @@ class Metamorphic
 
 } // namespace
 
-TEST_P (Metamorphic, PlanesStayTheSame)
+TEST_P (Metamorphic, PointsStayTogetherOnTheirPlanes)
 {
   const auto& [name, change] = GetParam();
   const Variant unchanged (furnishedRoom());
@@ -228,8 +239,9 @@ TEST_P (Metamorphic, PlanesStayTheSame)
     const std::set<std::string> exact_methods = {"ops", "ops on voxels"};
     const bool is_exact =
         exact_changes.count (name) > 0 && exact_methods.count (method.name) > 0;
-    EXPECT_GE (agreement (method.planes (unchanged), method.planes (changed), changed),
-               is_exact ? 1.0 : method.min_agreement)
+    EXPECT_GE (
+        agreement (method.planes_of (unchanged), method.planes_of (changed), changed),
+        is_exact ? 1.0 : method.min_agreement)
         << method.name;
   }
 }

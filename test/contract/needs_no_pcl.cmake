@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Fails if the core calls a function of PCL's libraries, or if the Python module (if there is one)
-# loads other libraries than those of C and C++.
+# Fails if the library pcl_ops_core refers to a symbol of PCL's libraries, or if the Python module
+# (if MODULE is given) loads other libraries than those of C and C++.
 # cmake -DNM=nm -DCORE=libpcl_ops_core.a [-DMODULE=_pcl_ops.so] -P needs_no_pcl.cmake
 cmake_minimum_required(VERSION 3.16)
 
@@ -17,18 +17,18 @@ function(lines_of result)
   set(${result} "${output}" PARENT_SCOPE)
 endfunction()
 
-lines_of(undefined ${NM} -uC ${CORE})
-list(FILTER undefined INCLUDE REGEX "U ((non-virtual )?thunk to |vtable for |typeinfo for )?pcl::")
-if(undefined)
-  list(JOIN undefined "\n" undefined)
-  message(FATAL_ERROR "the core needs PCL's libraries:\n${undefined}")
+lines_of(undefined_symbols ${NM} -uC ${CORE})
+list(FILTER undefined_symbols INCLUDE REGEX "U ((non-virtual )?thunk to |vtable for |typeinfo for )?pcl::")
+if(undefined_symbols)
+  list(JOIN undefined_symbols "\n" undefined_symbols)
+  message(FATAL_ERROR "the core needs PCL's libraries:\n${undefined_symbols}")
 endif()
 
 if(MODULE)
-  lines_of(loaded ldd ${MODULE})
-  list(FILTER loaded EXCLUDE REGEX "^$|linux-vdso|ld-linux|lib(c|m|stdc\\+\\+|gcc_s|pthread)\\.so")
-  if(loaded)
-    list(JOIN loaded "\n" loaded)
-    message(FATAL_ERROR "the Python module loads:\n${loaded}")
+  lines_of(loaded_libraries ldd ${MODULE})
+  list(FILTER loaded_libraries EXCLUDE REGEX "^$|linux-vdso|ld-linux|lib(c|m|stdc\\+\\+|gcc_s|pthread)\\.so")
+  if(loaded_libraries)
+    list(JOIN loaded_libraries "\n" loaded_libraries)
+    message(FATAL_ERROR "the Python module loads:\n${loaded_libraries}")
   endif()
 endif()

@@ -18,11 +18,13 @@ using KhtParameters = pcl_ops::KernelHoughTransformParameters;
 
 /** \brief A row of parameters.tsv. */
 struct Row {
-  std::string name, value, value_in_paper;
-  /** \brief A part of the message of validate about a wrong value. */
-  std::string words;
+  /** \brief Name, default, and value in the paper; an empty value in the paper is the
+   * default. */
+  std::string name, default_value, value_in_paper;
+  /** \brief A part of the message of validate about a refused value. */
+  std::string part_of_message;
   /** \brief Values that validate refuses, and values that it takes. */
-  std::vector<double> wrong, right;
+  std::vector<double> refused, taken;
 };
 
 /** \brief Rows of parameters.tsv whose first column is one of \p owners. */
@@ -31,7 +33,7 @@ rowsOf (const std::set<std::string>& owners)
 {
   std::vector<Row> rows;
   for (std::vector<std::string> columns : tableIn (PCL_OPS_PARAMETERS)) {
-    columns.resize (7);
+    columns.resize (7); // the last one, 8, is for the fuzz targets
     if (owners.count (columns[0]) > 0)
       rows.push_back ({columns[1],
                        columns[2],
@@ -43,8 +45,9 @@ rowsOf (const std::set<std::string>& owners)
   return rows;
 }
 
-/** \brief Sets a parameter to a value. The value is the larger end of an interval (two
- * numbers), the tolerance of a size (three), or the length of a direction. */
+/** \brief Sets a parameter to a number. The number is the larger end of an interval (an
+ * array of two), the tolerance of a size (an array of three), or the length of a
+ * direction. */
 template <typename T>
 void
 setTo (double value, T& member)
@@ -61,7 +64,8 @@ setTo (double value, T& member)
     member = {1.0, 2.0, value};
 }
 
-/** \brief The message of validate after one parameter is set to a value. */
+/** \brief The message of validate after the parameter with the name \p changed is set
+ * to a value; empty if it takes the value. */
 template <typename Parameters>
 std::string
 problemWith (Parameters parameters, const std::string& changed, double value)
@@ -73,23 +77,24 @@ problemWith (Parameters parameters, const std::string& changed, double value)
   return validate (parameters);
 }
 
-/** \brief Fails unless each parameter takes its right values and refuses its wrong
- * ones.
- * \param[in] good parameters that are valid */
+/** \brief Fails unless validate takes and refuses the values of each row.
+ * \param[in] valid parameters, of which one at a time is changed */
 template <typename Parameters>
 void
-expectRanges (const std::vector<Row>& rows, const Parameters& good)
+expectTakenAndRefused (const std::vector<Row>& rows, const Parameters& valid)
 {
-  EXPECT_EQ (validate (good), "");
+  EXPECT_EQ (validate (valid), "");
   for (const Row& row : rows) {
     SCOPED_TRACE (row.name);
-    for (const double wrong : row.wrong) {
-      const std::string problem = problemWith (good, row.name, wrong);
-      EXPECT_TRUE (!problem.empty() && problem.find (row.words) != std::string::npos)
-          << "'" << problem << "' should speak of " << row.words << " at " << wrong;
+    for (const double refused : row.refused) {
+      const std::string problem = problemWith (valid, row.name, refused);
+      const bool has_part = problem.find (row.part_of_message) != std::string::npos;
+      EXPECT_TRUE (!problem.empty() && has_part)
+          << "'" << problem << "' should speak of " << row.part_of_message << " at "
+          << refused;
     }
-    for (const double right : row.right)
-      EXPECT_EQ (problemWith (good, row.name, right), "") << " at " << right;
+    for (const double taken : row.taken)
+      EXPECT_EQ (problemWith (valid, row.name, taken), "") << " at " << taken;
   }
 }
 
@@ -113,13 +118,13 @@ print (const std::string& name, const T& value, std::ostream& out)
 }
 
 /** \brief The value of each parameter as text, by name. */
-using Values = std::map<std::string, std::string>;
+using ValueOfName = std::map<std::string, std::string>;
 
 template <typename Parameters>
-Values
+ValueOfName
 valuesOf (Parameters parameters)
 {
-  Values values;
+  ValueOfName values;
   visit_parameters (parameters, [&] (const std::string& name, const auto& value) {
     std::ostringstream text;
     text << std::setprecision (12);
@@ -130,74 +135,77 @@ valuesOf (Parameters parameters)
 }
 
 /** \brief Fails unless the table has each parameter of a detector, with its default and
- * its value in the paper, and validate takes the table's right values and no wrong one.
- * \param[in] name of the detector in the first column of the table */
+ * its value in the paper, and validate takes and refuses the values that the table
+ * says.
+ * \param[in] detector its name in the first column of the table */
 template <typename Parameters>
 void
-expectDetector (const std::string& name)
+expectParametersOfTable (const std::string& detector)
 {
-  SCOPED_TRACE (name);
-  const std::vector<Row> rows = rowsOf ({name, "all"});
-  Values defaults, of_paper;
+  SCOPED_TRACE (detector);
+  const std::vector<Row> rows = rowsOf ({detector, "all"});
+  ValueOfName defaults, of_paper;
   for (const Row& row : rows)
-    if (!row.value.empty()) {
-      defaults[row.name] = row.value;
-      of_paper[row.name] = row.value_in_paper.empty() ? row.value : row.value_in_paper;
+    if (!row.default_value.empty()) {
+      defaults[row.name] = row.default_value;
+      of_paper[row.name] =
+          row.value_in_paper.empty() ? row.default_value : row.value_in_paper;
     }
   EXPECT_EQ (valuesOf (Parameters()), defaults);
   EXPECT_EQ (valuesOf (Parameters::paper()), of_paper);
-  for (const Parameters& good : {Parameters(), Parameters::paper()})
-    expectRanges (rows, good);
+  for (const Parameters& valid : {Parameters(), Parameters::paper()})
+    expectTakenAndRefused (rows, valid);
 }
 
 } // namespace
 
 TEST (Parameters, AreThoseOfTheTable)
 {
-  expectDetector<OpsParameters> ("ops");
-  expectDetector<FspfParameters> ("fspf");
-  expectDetector<KhtParameters> ("kht");
+  expectParametersOfTable<OpsParameters> ("ops");
+  expectParametersOfTable<FspfParameters> ("fspf");
+  expectParametersOfTable<KhtParameters> ("kht");
   pcl_ops::PlaneFilter filter;
-  filter.min_area = filter.min_width = 1.0;
-  expectRanges (rowsOf ({"filter"}), filter);
-  expectRanges (rowsOf ({"matching"}), pcl_ops::PlaneMatchingParameters());
-  expectRanges (rowsOf ({"edges"}), pcl_ops::PlaneEdgeParameters());
-  expectRanges (rowsOf ({"up_axis"}), pcl_ops::UpAxisParameters());
+  filter.min_area = filter.min_width = 1.0; // the largest must not be below them
+  expectTakenAndRefused (rowsOf ({"filter"}), filter);
+  expectTakenAndRefused (rowsOf ({"matching"}), pcl_ops::PlaneMatchingParameters());
+  expectTakenAndRefused (rowsOf ({"edges"}), pcl_ops::PlaneEdgeParameters());
+  expectTakenAndRefused (rowsOf ({"up_axis"}), pcl_ops::UpAxisParameters());
   for (const Row& row : rowsOf ({"up_axis"}))
-    EXPECT_EQ (valuesOf (pcl_ops::UpAxisParameters()).at (row.name), row.value);
+    EXPECT_EQ (valuesOf (pcl_ops::UpAxisParameters()).at (row.name), row.default_value);
 }
 
-TEST (Parameters, NeedADistanceThresholdButForSurfels)
+TEST (Parameters, NeedADistanceThresholdButForTheDefaultOfOps)
 {
-  const auto problem = [] (auto parameters) {
+  const auto problemWithoutThreshold = [] (auto parameters) {
     parameters.distance_threshold.reset();
     return validate (parameters);
   };
   const std::string message = "the distance threshold must be a length above 0";
-  EXPECT_EQ (problem (OpsParameters()), "");
-  EXPECT_EQ (problem (OpsParameters::paper()), message);
-  EXPECT_EQ (problem (FspfParameters()), message);
-  EXPECT_EQ (problem (KhtParameters()), message);
+  EXPECT_EQ (problemWithoutThreshold (OpsParameters()), "");
+  EXPECT_EQ (problemWithoutThreshold (OpsParameters::paper()), message);
+  EXPECT_EQ (problemWithoutThreshold (FspfParameters()), message);
+  EXPECT_EQ (problemWithoutThreshold (KhtParameters()), message);
 }
 
-TEST (Parameters, RefuseANoiseOfTheWholeThatNoCloudHas)
+TEST (Parameters,
+      RefuseANoiseOfTheWholeCloudWithNoPointsOrANumberThatIsNegativeOrNotFinite)
 {
-  pcl_ops::CloudNoise right;
-  right.points = 1000.0;
-  right.growth = {1.5, 1.0};
-  right.common_errors = 2.0;
-  right.usual = 0.01;
-  right.usual_of_octave = {{3, 0.02}};
+  pcl_ops::CloudNoise valid;
+  valid.points = 1000.0;
+  valid.growth = {1.5, 1.0};
+  valid.common_errors = 2.0;
+  valid.usual = 0.01;
+  valid.usual_of_octave = {{3, 0.02}};
   const auto is_refused = [] (const pcl_ops::CloudNoise& noise) {
     OpsParameters parameters;
     parameters.noise_of_whole = noise;
     return validate (parameters).find ("measureNoise") != std::string::npos;
   };
-  EXPECT_FALSE (is_refused (right));
+  EXPECT_FALSE (is_refused (valid));
   EXPECT_TRUE (is_refused ({}));
   for (const double wrong :
        {-1.0, std::nan (""), std::numeric_limits<double>::infinity()}) {
-    std::vector<pcl_ops::CloudNoise> noises (5, right);
+    std::vector<pcl_ops::CloudNoise> noises (5, valid);
     noises[0].points = wrong;
     noises[1].growth[0] = wrong;
     noises[2].common_errors = wrong;
@@ -208,18 +216,19 @@ TEST (Parameters, RefuseANoiseOfTheWholeThatNoCloudHas)
   }
 }
 
-TEST (MeasureNoise, IsThatOfACloudAndOfNoneWithoutPoints)
+TEST (MeasureNoise, GivesTheNoiseOfACloudAndRefusesWrongParameters)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  EXPECT_EQ (pcl_ops::measureNoise (cloud, {}).points, 0.0);
-  // A floor of points 1 cm apart, whose heights are 0 or 2 mm in an irregular pattern.
+  EXPECT_EQ (pcl_ops::measureNoise (cloud, {}).points, 0.0) << "without points";
+  // A floor of points 1 cm apart, whose heights are 0 or 2 mm in an irregular pattern:
+  // their standard deviation is 1 mm.
   for (int i = 0; i < 100; ++i)
     for (int k = 0; k < 100; ++k)
       cloud.push_back ({0.01f * i, 0.01f * k, 2e-3f * ((3 * i + 5 * k) % 7 % 2)});
   constexpr std::size_t points_of_whole = 20'000;
   const pcl_ops::CloudNoise noise = pcl_ops::measureNoise (cloud, {}, points_of_whole);
   EXPECT_EQ (noise.points, points_of_whole);
-  EXPECT_NEAR (noise.usual, 1e-3, 3e-4);
+  EXPECT_NEAR (noise.usual, 1_mm, 3e-4);
   OpsParameters wrong;
   wrong.k = 0;
   EXPECT_THROW (pcl_ops::measureNoise (cloud, wrong), std::invalid_argument);

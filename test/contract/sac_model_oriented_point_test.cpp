@@ -14,11 +14,12 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
 using Model = pcl_ops::SampleConsensusModelOrientedPoint<pcl::PointNormal>;
 
-/** \brief A cloud whose first points are on a level plane at z = 1 m. The other points
- * are above it, each at another height. All normals point up.
- * \param[in] share of all points that are on the plane */
+/** \brief A cloud whose first points are on the plane z = 1 m. The other points are
+ * above it, each at a height of its own. All normals point up.
+ * \param[in] inlier_share number of points on the plane over number of points
+ * \param[in] size number of points */
 Cloud::Ptr
-planeWithShare (double share, std::size_t size = 1000)
+cloudWithPlane (double inlier_share, std::size_t size = 1000)
 {
   const auto cloud = pcl::make_shared<Cloud>();
   RandomGenerator generator (seedOfTest());
@@ -26,7 +27,7 @@ planeWithShare (double share, std::size_t size = 1000)
     const auto index = static_cast<float> (i);
     const auto x = static_cast<float> (drawUnit (generator));
     const auto y = static_cast<float> (drawUnit (generator));
-    const bool is_on_plane = index < size * share;
+    const bool is_on_plane = index < size * inlier_share;
     cloud->push_back ({x, y, is_on_plane ? 1.0f : 2.0f + index, 0, 0, 1});
   }
   return cloud;
@@ -38,15 +39,16 @@ struct CountingRansac : pcl::RandomSampleConsensus<pcl::PointNormal> {
   using pcl::RandomSampleConsensus<pcl::PointNormal>::iterations_;
 };
 
+/** \brief p: probability that RANSAC draws a point of the plane. */
 constexpr double probability = 0.99;
 constexpr std::uint32_t seeds = 21;
 
-/** \brief Numbers of iterations of RANSAC, one for each seed, ascending.
- * \param[in] share of all points that are on the plane */
+/** \brief Numbers of iterations of RANSAC with \ref probability on \ref cloudWithPlane,
+ * one for each seed, ascending. */
 std::vector<int>
-sortedIterations (double share)
+sortedIterations (double inlier_share)
 {
-  const auto cloud = planeWithShare (share);
+  const auto cloud = cloudWithPlane (inlier_share);
   std::vector<int> iterations;
   for (std::uint32_t seed = 0; seed < seeds; ++seed) {
     const auto model = pcl::make_shared<Model> (cloud);
@@ -60,9 +62,9 @@ sortedIterations (double share)
   return iterations;
 }
 
-/** \brief The indices of consecutive samples that a model draws. */
+/** \brief The points of the next samples that a model draws: a sample is one point. */
 pcl::Indices
-draws (Model& model, int number)
+drawSamples (Model& model, int number)
 {
   pcl::Indices drawn, sample;
   for (int i = 0; i < number; ++i) {
@@ -76,21 +78,21 @@ draws (Model& model, int number)
 } // namespace
 
 template <typename EstimatorT>
-class OrientedPointModelIn : public ::testing::Test {};
+class OrientedPointModelBy : public ::testing::Test {};
 
-// Not RRANSAC and RMSAC: before PCL 1.15 they pretest a tenth of all points and may
-// never end, with any model.
+// Not RRANSAC and RMSAC: before PCL 1.15 they test each model on a tenth of the points
+// first and may never end, whatever the model is.
 using Estimators =
     ::testing::Types<pcl::RandomSampleConsensus<pcl::PointNormal>,
                      pcl::MEstimatorSampleConsensus<pcl::PointNormal>,
                      pcl::MaximumLikelihoodSampleConsensus<pcl::PointNormal>,
                      pcl::ProgressiveSampleConsensus<pcl::PointNormal>,
                      pcl::LeastMedianSquares<pcl::PointNormal>>;
-TYPED_TEST_SUITE (OrientedPointModelIn, Estimators);
+TYPED_TEST_SUITE (OrientedPointModelBy, Estimators);
 
-TYPED_TEST (OrientedPointModelIn, PclsEstimatorFindsThePlane)
+TYPED_TEST (OrientedPointModelBy, AnEstimatorOfPclIsThePlaneOfMostPoints)
 {
-  const auto cloud = planeWithShare (0.7);
+  const auto cloud = cloudWithPlane (0.7);
   TypeParam estimator (pcl::make_shared<Model> (cloud), 5_cm);
   ASSERT_TRUE (estimator.computeModel());
   Eigen::VectorXf coefficients;
@@ -101,15 +103,15 @@ TYPED_TEST (OrientedPointModelIn, PclsEstimatorFindsThePlane)
   EXPECT_EQ (inliers.size(), 700u) << "of 1000";
 }
 
-TEST (OrientedPointModel, MakesPclsRansacIterateAsOftenAsThePaperSays)
+TEST (OrientedPointModel, MakesPclsRansacEndAfterTheIterationsThatThePaperSays)
 {
   // A run ends after N_iter = log (1 - p) / log (1 - w) draws if one of the drawn
   // points is on the plane, which has a share w of the points. That happens with
   // probability p.
   for (const double w : {0.1, 0.2, 0.5, 0.7}) {
     const std::vector<int> iterations = sortedIterations (w);
-    const int n_iter =
-        static_cast<int> (std::ceil (std::log (0.01) / std::log (1 - w))); // p = 0.99
+    const int n_iter = static_cast<int> (
+        std::ceil (std::log (1.0 - probability) / std::log (1.0 - w)));
     EXPECT_GE (iterations.front(), n_iter) << "w = " << w;
     const int median = iterations[seeds / 2];
     EXPECT_LE (median, n_iter + 1) << "w = " << w;
@@ -123,23 +125,23 @@ TEST (OrientedPointModel, IsThePlaneThroughAPointPerpendicularToItsNormal)
   cloud->push_back ({1, 2, 3, NAN, 0, 1}); // no finite normal
   cloud->push_back ({NAN, 2, 3, 0, 0, 1}); // no finite point
   constexpr pcl::index_t valid = 3;
-  cloud->push_back ({1, 2, 3, 0, 0, 2}); // a normal of any length
+  cloud->push_back ({1, 2, 3, 0, 0, 2}); // a normal of length 2
   const Model model (cloud);
   Eigen::VectorXf coefficients;
   for (const pcl::Indices& sample :
-       std::vector<pcl::Indices>{{0}, {1}, {2}, {}, {valid, valid}})
+       std::vector<pcl::Indices>{{0}, {1}, {2}, {}, {valid, valid}}) // one is needed
     EXPECT_FALSE (model.computeModelCoefficients (sample, coefficients));
   ASSERT_TRUE (model.computeModelCoefficients ({valid}, coefficients));
   EXPECT_TRUE (coefficients.isApprox (Eigen::Vector4f (0, 0, 1, -3)));
 }
 
-TEST (OrientedPointModel, RefitsToInliersOnTheSideOfTheModel)
+TEST (OrientedPointModel, RefitsToTheInliersAndKeepsTheSideOfTheNormal)
 {
-  const auto cloud = planeWithShare (1.0, 100);
+  const auto cloud = cloudWithPlane (1.0, 100);
   const auto all = upTo<pcl::Indices> (cloud->size());
   for (const float side : {1.0f, -1.0f}) {
     Eigen::VectorXf hypothesis (4), refitted;
-    hypothesis << side * 0.1f, 0, side * 0.995f, -side;
+    hypothesis << side * 0.1f, 0, side * 0.995f, -side; // 6 degrees off
     Model (cloud).optimizeModelCoefficients (all, hypothesis, refitted);
     EXPECT_TRUE (refitted.isApprox (side * Eigen::Vector4f (0, 0, 1, -1), 1e-5f));
   }
@@ -148,7 +150,7 @@ TEST (OrientedPointModel, RefitsToInliersOnTheSideOfTheModel)
 TEST (OrientedPointModel, KeepsItsHypothesisWhereNoPlaneFitsOrAConstraintForbidsIt)
 {
   const auto cloud = pcl::make_shared<Cloud>();
-  for (const float i : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f})
+  for (const float i : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f}) // on a line
     cloud->push_back ({i, i, i, 0, 0, 1});
   Eigen::VectorXf hypothesis (4), refitted;
   hypothesis << 0.1f, 0, 0.995f, -1;
@@ -157,29 +159,31 @@ TEST (OrientedPointModel, KeepsItsHypothesisWhereNoPlaneFitsOrAConstraintForbids
     Model (cloud).optimizeModelCoefficients (inliers, hypothesis, refitted);
     EXPECT_EQ (refitted, hypothesis);
   }
-  Model model (planeWithShare (1.0, 100));
-  model.setModelConstraints ([] (const Eigen::VectorXf& c) { return c[0] > 0.05f; });
+  Model model (cloudWithPlane (1.0, 100));
+  // The refitted plane, z = 1, has an x of its normal of 0.
+  model.setModelConstraints (
+      [] (const Eigen::VectorXf& coefficients) { return coefficients[0] > 0.05f; });
   model.optimizeModelCoefficients ({0, 1, 2, 3, 4, 5}, hypothesis, refitted);
-  EXPECT_EQ (refitted, hypothesis) << "of the constraint";
+  EXPECT_EQ (refitted, hypothesis) << "the constraint forbids z = 1";
 }
 
-TEST (OrientedPointModel, DrawsTheSameForTheSameSeed)
+TEST (OrientedPointModel, DrawsTheSameSamplesForTheSameSeed)
 {
-  const auto cloud = planeWithShare (0.5);
+  const auto cloud = cloudWithPlane (0.5);
   Model first (cloud), again (cloud), other (cloud);
   first.setSeed (7);
   again.setSeed (7);
   other.setSeed (8);
-  const pcl::Indices drawn = draws (first, 20);
-  EXPECT_EQ (draws (again, 20), drawn);
-  EXPECT_NE (draws (other, 20), drawn);
+  const pcl::Indices drawn = drawSamples (first, 20);
+  EXPECT_EQ (drawSamples (again, 20), drawn);
+  EXPECT_NE (drawSamples (other, 20), drawn);
   first.setSeed (7);
-  EXPECT_EQ (draws (first, 20), drawn) << "seeded again";
+  EXPECT_EQ (drawSamples (first, 20), drawn) << "the seed was set once more";
 }
 
-TEST (OrientedPointModel, UsesTheIndicesItIsGiven)
+TEST (OrientedPointModel, UsesTheGivenIndicesAlone)
 {
-  const auto cloud = planeWithShare (0.5); // points 0 to 499 are on the plane
+  const auto cloud = cloudWithPlane (0.5); // points 0 to 499 are on the plane
   const pcl::Indices given{0, 1, 2, 3, 900, 950};
   pcl::RandomSampleConsensus<pcl::PointNormal> ransac (
       pcl::make_shared<Model> (cloud, given), 5_cm);

@@ -6,10 +6,25 @@
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
-TEST (MergePlanesOf, FitsThePlanesToTheirPointsAndRelabelsThem)
+namespace {
+
+constexpr unsigned two_threads = 2;
+
+/** \brief All points of a cloud, seen from zero, for a detector that is given no
+ * search. */
+DetectorInput
+inputOf (const pcl::PointCloud<pcl::PointXYZ>& cloud)
 {
-  // The points of plane 0 lie on a line; planes 1 and 2 are two halves of one floor,
-  // the last point of which is on no plane.
+  const pcl::Indices* const all_points = nullptr;
+  return {CloudView (cloud), all_points, Eigen::Vector3d::Zero(), nullptr};
+}
+
+} // namespace
+
+TEST (MergePlanesOf, MakesNoPlaneOfALineAndOnePlaneOfTwoHalves)
+{
+  // The 10 points of plane 0 lie on a line. Planes 1 and 2 are two halves of a floor of
+  // 100 points, of which the last point is on no plane.
   Points points;
   for (int i = 0; i < 10; ++i)
     points.add (static_cast<float> (i), 7.0f, 7.0f);
@@ -23,7 +38,7 @@ TEST (MergePlanesOf, FitsThePlanesToTheirPointsAndRelabelsThem)
   MergingParameters merging;
   merging.distance_threshold = 5_cm;
   const LabelledPlanes found = mergePlanesOf (
-      {labels, momentsOfLabels (points, labels, 3, one_thread)}, merging, 2);
+      {labels, momentsOfLabels (points, labels, 3, one_thread)}, merging, two_threads);
   EXPECT_EQ (found.labels, expected);
   EXPECT_EQ (found.planes_before_merging, 3u);
   ASSERT_EQ (found.planes.fits.size(), 1u);
@@ -31,24 +46,22 @@ TEST (MergePlanesOf, FitsThePlanesToTheirPointsAndRelabelsThem)
   EXPECT_EQ (found.planes.moments[0].count, 99.0);
 }
 
-TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
+TEST (DetectInFinitePoints, DoesNotCallTheDetectorWithoutAFinitePoint)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   cloud.push_back ({NAN, 0, 0});
-  const DetectorInput input{
-      pcl_ops::CloudView (cloud), nullptr, Eigen::Vector3d::Zero(), nullptr};
   const auto detect = [] (const Points&, auto&) {
     ADD_FAILURE() << "called";
     return LabelledPlanes();
   };
-  EXPECT_TRUE (
-      detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes.empty());
+  EXPECT_TRUE (detectInFinitePoints (inputOf (cloud), PlaneDetectorParameters(), detect)
+                   .planes.empty());
 }
 
 TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPlane)
 {
-  // Missing readings that a sensor wrote as zeros, a floor of 100 points, and a ceiling
-  // of 50 points, each of them five times.
+  // In this order: missing readings that a sensor wrote as zeros, a floor, and the
+  // points of a ceiling, each of them five times.
   constexpr int missing = 200;
   constexpr int on_floor = 100;
   constexpr int on_ceiling = 50;
@@ -73,15 +86,14 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
         mergePlanesOf ({labels, momentsOfLabels (points, labels, 2, one_thread)},
                        keep_apart,
                        one_thread);
-    found.noises = {1_mm, 2_cm};
+    found.noises = {1_mm, 2_cm}; // of floor and ceiling
     return found;
   };
-  const DetectorInput input{
-      CloudView (cloud), nullptr, Eigen::Vector3d::Zero(), nullptr};
   const std::vector<PlaneSegment> planes =
-      detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes;
+      detectInFinitePoints (inputOf (cloud), PlaneDetectorParameters(), detect).planes;
   ASSERT_EQ (planes.size(), 2u);
-  EXPECT_NEAR (planes[0].centroid.z(), 2.0, 1e-9) << "the ceiling, with its copies";
+  EXPECT_NEAR (planes[0].centroid.z(), 2.0, 1e-9)
+      << "the ceiling has more points with its copies";
   EXPECT_EQ (planes[0].moments.count, copies * on_ceiling);
   EXPECT_EQ (planes[1].moments.count, on_floor);
   EXPECT_EQ (planes[0].noise, 2_cm);
@@ -90,7 +102,7 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
     EXPECT_EQ (planes[0].inliers.at (i), missing + on_floor + i);
 }
 
-TEST (MergingOf, TakesThetaHWhereMergingHasNoDistanceOfItsOwn)
+TEST (MergingOf, TakesTheDistanceThresholdOfTheDetectorWhereMergingHasNone)
 {
   PlaneDetectorParameters parameters;
   parameters.distance_threshold = 7_cm;

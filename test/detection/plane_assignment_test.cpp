@@ -8,12 +8,14 @@ using namespace pcl_ops;
 
 namespace {
 
+/** \brief The level plane at a height [m]. */
 Plane
 atHeight (double z)
 {
   return {Eigen::Vector3d::UnitZ(), -z};
 }
 
+/** \brief Points on the z axis at these heights [m]. */
 Coordinates
 pointsAtHeights (const std::vector<float>& heights)
 {
@@ -23,6 +25,7 @@ pointsAtHeights (const std::vector<float>& heights)
   return points;
 }
 
+/** \brief Planes of random directions, at most 0.5 m from zero. */
 std::vector<Plane>
 randomPlanes (std::size_t count)
 {
@@ -34,6 +37,9 @@ randomPlanes (std::size_t count)
   return planes;
 }
 
+/** \brief Index of the plane that a point belongs to: of the planes nearer than the
+ * threshold [m], by the rule the first or the nearest one; no_plane if there is none.
+ */
 std::int32_t
 labelByBruteForce (const Eigen::Vector3d& point,
                    const std::vector<Plane>& planes,
@@ -41,14 +47,15 @@ labelByBruteForce (const Eigen::Vector3d& point,
                    AssignmentRule rule)
 {
   std::int32_t best = no_plane;
+  double max_distance = threshold;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const double distance = std::abs (planes[p].distance (point));
-    if (distance >= threshold)
+    if (distance >= max_distance)
       continue;
     best = static_cast<std::int32_t> (p);
     if (rule == AssignmentRule::First)
       break;
-    threshold = distance;
+    max_distance = distance;
   }
   return best;
 }
@@ -59,11 +66,11 @@ TEST (AssignPoints, GivesEachPointToAPlaneNearEnough)
 {
   using Rule = AssignmentRule;
   const struct {
-    std::vector<float> points; // their heights
+    std::vector<float> heights; // of the points [m]
     std::vector<Plane> planes;
-    double threshold;
+    double threshold; // [m]
     std::vector<Rule> rules;
-    Labels expected;
+    Labels expected; // by each of the rules
   } rows[] = {
       {{0.0f, 0.2f, 0.8f, 1.0f},
        {atHeight (0), atHeight (1)},
@@ -86,7 +93,7 @@ TEST (AssignPoints, GivesEachPointToAPlaneNearEnough)
   for (const auto& row : rows)
     for (const Rule rule : row.rules)
       EXPECT_EQ (assignPoints (
-                     pointsAtHeights (row.points), row.planes, row.threshold, rule, 2),
+                     pointsAtHeights (row.heights), row.planes, row.threshold, rule, 2),
                  row.expected);
 }
 
@@ -99,7 +106,7 @@ TEST (AssignPoints, AgreesWithBruteForce)
     int different = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
       different += labels[i] != labelByBruteForce (points[i], planes, 10_cm, rule);
-    EXPECT_LE (different, 4)
+    EXPECT_LE (different, 4) // of 40,000
         << "single and double precision may differ next to the threshold or to a tie";
   }
 }
@@ -114,7 +121,7 @@ TEST (MomentsOfLabels, AreThoseOfThePointsOfEachLabel)
     if (labels[i] != no_plane)
       expected[static_cast<std::size_t> (labels[i])].add (
           points.x[i], points.y[i], points.z[i]);
-  const auto moments = momentsOfLabels (points, labels, 3, one_thread);
+  const std::vector<Moments> moments = momentsOfLabels (points, labels, 3, one_thread);
   for (std::size_t p = 0; p < 3; ++p) {
     EXPECT_EQ (moments[p].count, expected[p].count);
     EXPECT_TRUE (moments[p].sum.isApprox (expected[p].sum, 1e-9));

@@ -13,6 +13,7 @@ namespace {
  * between them, and the result of splitLayers on that plane. */
 struct Split {
   /** \param[in] apart distance of the squares [m]
+   * \param[in] noise standard deviation of the points along the normal [m]
    * \param[in] points_of_each number of points of each square
    * \param[in] min_apart least distance of two layers [m] */
   Split (double apart,
@@ -41,6 +42,8 @@ struct Split {
 
   Coordinates points;
   Labels labels;
+  /** \brief A 1 for each plane: for the given one, and for a new one if it was split.
+   */
   std::vector<char> is_kept;
 };
 
@@ -72,6 +75,7 @@ TEST (PlaneLayers, AreAtLeastAsFarApartAsIsAsked)
 
 TEST (PlaneLayers, NeedFiftyPointsTogether)
 {
+  // Two squares have 40 points together, or 60.
   EXPECT_EQ (Split (4_cm, 3_mm, 20).planes(), 1u);
   EXPECT_EQ (Split (4_cm, 3_mm, 30).planes(), 2u);
 }

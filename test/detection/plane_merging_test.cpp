@@ -11,10 +11,12 @@ namespace {
 constexpr double max_angle = 7_deg;
 constexpr double max_distance = 5_cm;
 
-/** \brief The parameters of the paper: no noise factor. */
-constexpr MergingParameters as_in_paper{true, max_angle, max_distance, {}};
+/** \brief MergingParameters::enabled. */
+constexpr bool enabled = true;
+/** \brief The parameters of the paper, which has no noise factor. */
+constexpr MergingParameters as_in_paper{enabled, max_angle, max_distance, {}};
 
-/** \brief A square about a center.
+/** \brief A level square, or a tilted one.
  * \param[in] tilt about the y axis [rad]
  * \param[in] edge [m] */
 Surface
@@ -26,7 +28,7 @@ square (const Eigen::Vector3d& center, double tilt = 0.0, double edge = 1_m)
 }
 
 /** \brief Moments of 10 x 10 points of a square.
- * \param[in] noise how far points lie, by turns, before the square and behind it [m] */
+ * \param[in] noise points lie by turns this far above the square and below it [m] */
 Moments
 noisySquare (const Eigen::Vector3d& center,
              double noise,
@@ -47,9 +49,11 @@ exactSquare (const Eigen::Vector3d& center, double tilt = 0.0, int steps = 10)
 MergingParameters
 byNoise (double noise_factor)
 {
-  return {true, max_angle, 0.0, noise_factor};
+  constexpr double no_distance = 0.0; // no plane is nearer
+  return {enabled, max_angle, no_distance, noise_factor};
 }
 
+/** \brief The plane of a square of 1 m about a center. */
 PlaneFit
 fitOf (const Eigen::Vector3d& center, double tilt = 0.0)
 {
@@ -58,19 +62,22 @@ fitOf (const Eigen::Vector3d& center, double tilt = 0.0)
 
 } // namespace
 
-TEST (AreCoplanar, ByTheAngleAndBothDistancesWhateverTheSignOfTheNormals)
+TEST (AreCoplanar, DependsOnTheAngleAndBothDistancesNotOnTheSignOfTheNormals)
 {
   const PlaneFit floor = fitOf ({0, 0, 0});
   const struct {
     const char* plane;
     PlaneFit fit;
     bool are_coplanar;
-  } rows[] = {{"another part of the floor", fitOf ({5, 3, 0}), true},
-              {"one through its centroid", fitOf ({0, 0, 0}, 6_deg), true},
-              {"a steeper one", fitOf ({0, 0, 0}, 8_deg), false},
-              {"one 20 cm up after 10 m, which passes through the floor's centroid",
-               fitOf ({10, 0, 0.2}, -std::atan (0.02)),
-               false}};
+  } rows[] = {
+      {"another part of the floor", fitOf ({5, 3, 0}), true},
+      {"one through its centroid, tilted by 6 degrees", fitOf ({0, 0, 0}, 6_deg), true},
+      {"one through its centroid, tilted by 8 degrees",
+       fitOf ({0, 0, 0}, 8_deg),
+       false},
+      {"one 20 cm up after 10 m, which passes through the floor's centroid",
+       fitOf ({10, 0, 0.2}, -std::atan (0.02)),
+       false}};
   const PlaneFit& through_centroid_of_floor = rows[3].fit;
   EXPECT_LT (std::abs (through_centroid_of_floor.plane.distance (floor.centroid)),
              1_mm);
@@ -91,36 +98,37 @@ TEST (AreCoplanar, ByTheAngleAndBothDistancesWhateverTheSignOfTheNormals)
 
 TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
 {
-  // Points lie 3 cm off both sides of each square. Their rms distance to the plane of
-  // the other square, 5 cm away, is 5.8 cm.
+  // Points lie 3 cm above and below each square. Their rms distance to the plane of the
+  // other square, 5 cm away, is sqrt (5^2 + 3^2) = 5.8 cm, 1.94 times the noise.
   const Moments noisy = noisySquare ({0, 0, 0}, 3_cm);
   const Moments above = noisySquare ({2, 0, 5_cm}, 3_cm);
   const Moments tilted = noisySquare ({0.5, 0, 0}, 3_cm, 30_cm, 8_deg);
-  // With a plane of 1 cm of noise, only 6 cm of another plane's 9 cm of noise count.
+  // Of two noises the larger one counts, up to 6 times the smaller one: 6 cm for thick
+  // and clean, and 9 cm for thick and rough, which are 15 cm apart.
   const Moments thick = noisySquare ({0, 0, 0}, 9_cm);
   const Moments clean = noisySquare ({2, 0, 15_cm}, 1_cm);
   const Moments rough = noisySquare ({2, 0, 15_cm}, 2_cm);
   const Moments flat = exactSquare ({0, 0, 0});
   const Moments beside = exactSquare ({5, 3, 0});
   const struct {
+    const char* name;
     Moments first, second;
     double noise_factor;
     std::size_t merged_planes;
-  } rows[] = {{noisy, above, 1.8, 2},
-              {noisy, above, 2.1, 1},
-              {noisy, tilted, 2.0, 2},
-              {thick, clean, 2.0, 2},
-              {thick, rough, 2.0, 1},
-              {flat, beside, 1.5, 1}};
-  for (std::size_t row = 0; row < std::size (rows); ++row) {
-    const auto& [first, second, noise_factor, merged_planes] = rows[row];
-    EXPECT_EQ (mergePlanes ({first, second}, byNoise (noise_factor)).fits.size(),
-               merged_planes)
-        << row;
-  }
+  } rows[] = {{"farther apart than 1.8 noises", noisy, above, 1.8, 2},
+              {"nearer than 2.1 noises", noisy, above, 2.1, 1},
+              {"steeper than the largest angle", noisy, tilted, 2.0, 2},
+              {"farther apart than 2 * 6 cm", thick, clean, 2.0, 2},
+              {"nearer than 2 * 9 cm", thick, rough, 2.0, 1},
+              {"on one plane, without noise", flat, beside, 1.5, 1}};
+  for (const auto& row : rows)
+    EXPECT_EQ (
+        mergePlanes ({row.first, row.second}, byNoise (row.noise_factor)).fits.size(),
+        row.merged_planes)
+        << row.name;
 }
 
-TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
+TEST (Merge, ByNoiseJoinsASmallPlaneThatMissesTheCentroidOfALargeOne)
 {
   // A small piece 10 m from a wall: noise tilts it by 2 degrees, 35 cm over 10 m.
   const Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
@@ -130,11 +138,11 @@ TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
   EXPECT_EQ (mergePlanes ({wall, piece}, byNoise (1.5)).fits.size(), 1u);
 }
 
-TEST (Merge, IsTheFitOfAllPoints)
+TEST (Merge, FitsOnePlaneToAllPoints)
 {
   const Moments first = exactSquare ({0, 0, 0});
   Moments all = exactSquare ({0.5, 1, 2_cm}, 3_deg);
-  const auto merged = mergePlanes ({first, all}, as_in_paper);
+  const MergedPlanes merged = mergePlanes ({first, all}, as_in_paper);
   all += first;
   ASSERT_EQ (merged.fits.size(), 1u);
   EXPECT_EQ (merged.moments[0].count, 200.0);
@@ -144,8 +152,8 @@ TEST (Merge, IsTheFitOfAllPoints)
 
 TEST (Merge, JoinsAChainOfPlanesWhoseEndsAloneWouldNotPass)
 {
-  // The first and the last lean by 8 degrees to each other, which is too much;
-  // neighbors by 5 and by 3 degrees.
+  // The angle between the first and the last plane is 8 degrees, which is too much;
+  // between neighbors it is 5 and 3 degrees.
   const std::vector<Moments> bend{exactSquare ({0, 0, 0}, 0_deg, 20),
                                   exactSquare ({0, 0, 0}, 5_deg, 19),
                                   exactSquare ({0, 0, 0}, 8_deg, 5)};
@@ -160,7 +168,7 @@ TEST (Merge, GoesOnUntilNoPairPassesTheTest)
     planes.push_back (
         exactSquare ({5 * drawUnit (generator), 0, drawGaussian (generator)},
                      10_deg * drawGaussian (generator)));
-  const auto merged = mergePlanes (planes, as_in_paper);
+  const MergedPlanes merged = mergePlanes (planes, as_in_paper);
   EXPECT_LT (merged.fits.size(), planes.size());
   for (std::size_t i = 0; i < merged.fits.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -172,22 +180,22 @@ TEST (Merge, LeavesPlanesAloneWhereDisabled)
 {
   MergingParameters off = as_in_paper;
   off.enabled = false;
-  const auto merged = mergePlanes (
+  const MergedPlanes merged = mergePlanes (
       {exactSquare ({0, 0, 0}, 0_deg, 5), exactSquare ({5, 3, 0}, 0_deg, 9)}, off);
   EXPECT_EQ (merged.fits.size(), 2u);
   EXPECT_EQ (merged.merged_into, (Labels{1, 0}))
-      << "sorted by falling size all the same";
+      << "but they are sorted by falling size";
 }
 
 TEST (Merge, SortsPlanesByFallingSizeAndDropsPointsThatSpanNoPlane)
 {
   const Surface line = {{0, 0, 0}, {10, 20, 30}, {0, 0, 0}};
-  const auto merged = mergePlanes ({exactSquare ({0, 0, 0}, 0_deg, 5),
-                                    momentsOf (line, 100, 1),
-                                    exactSquare ({0, 0, 1}, 0_deg, 9),
-                                    Moments(),
-                                    exactSquare ({0, 0, 2}, 0_deg, 7)},
-                                   as_in_paper);
+  const MergedPlanes merged = mergePlanes ({exactSquare ({0, 0, 0}, 0_deg, 5),
+                                            momentsOf (line, 100, 1),
+                                            exactSquare ({0, 0, 1}, 0_deg, 9),
+                                            Moments(),
+                                            exactSquare ({0, 0, 2}, 0_deg, 7)},
+                                           as_in_paper);
   EXPECT_EQ (merged.merged_into, (Labels{2, no_plane, 0, no_plane, 1}));
   ASSERT_EQ (merged.fits.size(), 3u);
   EXPECT_EQ (merged.moments[0].count, 81.0);

@@ -21,7 +21,7 @@ SOURCES, PROGRAMS = pathlib.Path(sys.argv[1]), sys.argv[2]
 README = SOURCES / "README.md"
 PAGES = [README, *sorted((SOURCES / "src/doc").glob("*.md"))]
 ROOM_OPTIONS = "--seed 1 --width 160 --height 120"
-# Beginnings of the commands that are run: these need no display, no data of others and no minutes.
+# Beginnings of the commands that are run. Others need a display, real data or minutes.
 RUN = ("pcl_ops_simulate ", "pcl_ops_segment ", "cat room.pcd | ", "pcl_ops_tiles ",
        "pcl_ops_evaluate compare ", "pcl_ops_evaluate ground ", "pcl_ops_evaluate planes ",
        "pcl_ops_evaluate track ",
@@ -224,7 +224,7 @@ def section_of(page, heading):
 def smaller(command):
     """A command with options that keep a simulation short."""
     sized = ("--points", "--scene street", "--scene drive")
-    if not command.startswith("pcl_ops_simulate ") or any(s in command for s in sized):
+    if not command.startswith("pcl_ops_simulate ") or any(option in command for option in sized):
         return command
     if "--scene walk" in command:
         return command + " --frames 5 --width 80 --height 60"
@@ -247,7 +247,8 @@ class Pages(unittest.TestCase):
 
     def test_commands_run(self):
         for page in PAGES:
-            commands = [smaller(c) for c in code_of(page, "sh") if c.startswith(RUN)]
+            commands = [smaller(command) for command in code_of(page, "sh")
+                        if command.startswith(RUN)]
             if not commands:
                 continue
             # The clouds that the commands of the pages read: room.pcd and a folder of scans.
@@ -367,14 +368,14 @@ class Pages(unittest.TestCase):
 
     def test_accuracy_says_where_others_are_ahead(self):
         page = (SOURCES / "src/doc/accuracy.md").read_text()
-        said = page.partition("**Where others are ahead.**")[2].partition("\n\n")[0]
+        paragraph = page.partition("**Where others are ahead.**")[2].partition("\n\n")[0]
         labels = {name: label for label, name in DATA_SETS.items()}
         table = compared()
         for (data_set, method), row in table.items():
             for measure in ("segmentation_accuracy", "f_score"):
                 ours = float(table[data_set, "ops"][measure])
                 if method not in OURS and row["f_score"] and float(row[measure]) > ours:
-                    self.assertIn(labels[data_set], said, f"{method}: {row}")
+                    self.assertIn(labels[data_set], paragraph, f"{method}: {row}")
 
     def test_readme_is_short(self):
         self.assertLessEqual(len(README.read_text().splitlines()), 220)

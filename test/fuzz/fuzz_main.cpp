@@ -17,7 +17,8 @@ LLVMFuzzerInitialize (int*, char***)
 extern "C" int
 LLVMFuzzerTestOneInput (const std::uint8_t* data, std::size_t size)
 {
-  static const auto target = pcl_ops::fuzz::allTargets().at (PCL_OPS_FUZZ_TARGET);
+  static void (*const target) (const pcl_ops::fuzz::Bytes&) =
+      pcl_ops::fuzz::allTargets().at (PCL_OPS_FUZZ_TARGET);
   target (pcl_ops::fuzz::Bytes (data, data + size));
   return 0;
 }

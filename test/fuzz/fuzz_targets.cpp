@@ -31,6 +31,7 @@ namespace pcl_ops::fuzz {
 
 namespace {
 
+// So few that an input takes milliseconds. A cloud gets shapes until it has max_points.
 constexpr std::size_t max_points = 1200;
 constexpr std::size_t max_points_of_a_shape = 400;
 
@@ -73,7 +74,7 @@ private:
   std::size_t next_ = 0;
 };
 
-/** \brief By the name of a numeric parameter, the values that \ref vary may give it. */
+/** \brief The values that \ref vary may give a numeric parameter, by its name. */
 const std::map<std::string, std::vector<double>>&
 otherValues ()
 {
@@ -271,17 +272,17 @@ void
 promiseOrderedPlanes (const Planes& planes, const Cloud& cloud)
 {
   std::vector<bool> is_taken (cloud.size(), false);
-  std::size_t last_size = cloud.size();
+  std::size_t previous_size = cloud.size();
   for (const PlaneSegment& plane : planes) {
     promise (std::abs (plane.normal.norm() - 1.0) < 1e-6, "normals have length 1");
     promise (plane.centroid.allFinite(), "centroids are finite");
     promise (!plane.inliers.empty(), "a plane has points");
-    promise (plane.inliers.size() <= last_size, "planes come by falling size");
-    last_size = plane.inliers.size();
-    pcl::index_t before = -1;
+    promise (plane.inliers.size() <= previous_size, "planes come by falling size");
+    previous_size = plane.inliers.size();
+    pcl::index_t previous_index = -1;
     for (const pcl::index_t index : plane.inliers) {
-      promise (index > before, "indices ascend");
-      before = index;
+      promise (index > previous_index, "indices ascend");
+      previous_index = index;
       promise (static_cast<std::size_t> (index) < cloud.size(),
                "they are in the cloud");
       promise (!is_taken[index], "planes share no point");
@@ -303,6 +304,7 @@ promiseEqual (const Planes& one, const Planes& other)
   }
 }
 
+/** Checks that only given points are on planes. */
 void
 promiseGivenPoints (const Planes& planes, const pcl::Indices& given)
 {

@@ -9,10 +9,10 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-const Eigen::Vector3d lidar_position (1, 2, 1.5);
+const Eigen::Vector3d lidar_position (1, 2, 1.5); // [m]
 
-/** \brief What a lidar in the middle of a room of 8 m x 8 m x 3 m sees of it, with 33
- * beams one degree apart.
+/** \brief What a lidar at lidar_position, the middle of a room of 8 m x 8 m x 3 m, sees
+ * of the room, with 33 beams one degree apart.
  * \param[in] even_step,odd_step azimuth steps of even and odd beams [degrees] */
 Coordinates
 roomSeenInSteps (double even_step, double odd_step)
@@ -26,7 +26,8 @@ roomSeenInSteps (double even_step, double odd_step)
                                  std::cos (elevation) * std::sin (azimuth),
                                  std::sin (elevation));
       const Eigen::Array3d half_size (4_m, 4_m, 1.5_m);
-      const Eigen::Array3d ranges = half_size / ray.array().abs(); // to all surfaces
+      // To the planes of the walls across x and y, and of floor and ceiling.
+      const Eigen::Array3d ranges = half_size / ray.array().abs();
       const pcl::PointXYZ point = toPoint (lidar_position + ranges.minCoeff() * ray);
       points.add (point.x, point.y, point.z);
     }
@@ -34,9 +35,10 @@ roomSeenInSteps (double even_step, double odd_step)
   return points;
 }
 
-/** \brief Points drawn uniformly on a sphere with a radius of 1 m. */
+/** \brief Points drawn uniformly on a sphere with a radius of 1 m: their directions
+ * from its center have no steps. */
 Coordinates
-drawnOnABall (const Eigen::Vector3d& center, int number)
+drawnOnSphere (const Eigen::Vector3d& center, int number)
 {
   Coordinates points;
   RandomGenerator generator (seedOfTest());
@@ -52,7 +54,7 @@ drawnOnABall (const Eigen::Vector3d& center, int number)
 
 TEST (ShareOfCommonSteps, IsNearly1ForALidarWithOneOrTwoSizesOfSteps)
 {
-  for (const double odd_step : {0.2, 0.3})
+  for (const double odd_step : {0.2, 0.3}) // [degrees]
     EXPECT_NEAR (shareOfCommonSteps (roomSeenInSteps (0.2, odd_step), lidar_position),
                  1.0,
                  2_percent)
@@ -63,19 +65,20 @@ TEST (ShareOfCommonSteps, IsLowBesideTheLidarAndForPointsWithoutSteps)
 {
   const Eigen::Vector3d beside = lidar_position + Eigen::Vector3d (2, 1, 0);
   EXPECT_LT (shareOfCommonSteps (roomSeenInSteps (0.2, 0.2), beside), 50_percent);
-  EXPECT_LT (shareOfCommonSteps (drawnOnABall (lidar_position, 20000), lidar_position),
+  EXPECT_LT (shareOfCommonSteps (drawnOnSphere (lidar_position, 20000), lidar_position),
              30_percent);
 }
 
 TEST (ShareOfCommonSteps, IsZeroForTooFewPoints)
 {
-  EXPECT_EQ (shareOfCommonSteps (drawnOnABall (lidar_position, 50), lidar_position),
+  EXPECT_EQ (shareOfCommonSteps (drawnOnSphere (lidar_position, 50), lidar_position),
              0.0);
   EXPECT_EQ (shareOfCommonSteps (Coordinates(), lidar_position), 0.0);
 }
 
 TEST (ShareOfCommonSteps, IsZeroForMoreThanFourPointsBehindEachOther)
 {
+  // Each point of a room, and others in its direction at 2, 3, ... times its distance.
   const auto shareOfLayers = [] (int layers) {
     const Coordinates room = roomSeenInSteps (0.2, 0.2);
     Coordinates points;
@@ -99,6 +102,6 @@ TEST (SeenByItsSteps, SaysYesAtTheLidarAloneAndCannotTellWithoutSteps)
   EXPECT_EQ (seenByItsSteps (room, lidar_position), StepsSay::Yes);
   EXPECT_NE (seenByItsSteps (room, lidar_position + Eigen::Vector3d (2, 1, 0)),
              StepsSay::Yes);
-  EXPECT_EQ (seenByItsSteps (drawnOnABall (lidar_position, 20000), lidar_position),
+  EXPECT_EQ (seenByItsSteps (drawnOnSphere (lidar_position, 20000), lidar_position),
              StepsSay::CannotTell);
 }

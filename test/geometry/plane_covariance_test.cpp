@@ -14,6 +14,8 @@ const Surface board{{10, 2, 1}, {2.4, 0.9, 0.3}, {-0.2, 0.5, 0.4}};
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+/** \brief So many points drawn uniformly on the board.
+ * \param[in] noise standard deviation along the normal [m] */
 Cloud
 drawBoard (int points, double noise, RandomGenerator& generator)
 {
@@ -33,8 +35,9 @@ fittedTo (const Cloud& cloud)
   return plane;
 }
 
-/** \brief Tilt along both axes of the covariance [rad] and offset [m] of the true board
- * relative to the plane. */
+/** \brief Errors of the plane in the order of the covariance: by how much the true
+ * board is tilted relative to the plane along both axes [rad], and moved along its
+ * normal [m]. */
 Eigen::Vector3d
 errorsOf (const PlaneSegment& plane, const PlaneCovariance& covariance)
 {
@@ -55,37 +58,41 @@ TEST (PlaneCovariance, SaysHowFarFitsOfManyAndOfFewPointsAreOff)
   constexpr int draws = 1000;
   for (const auto& [points, noise] : {std::pair (300, 1_cm), {30, 5_mm}}) {
     RandomGenerator generator (seedOfTest());
-    // Means over many draws of the squared errors over their variances, and of the
-    // squared Mahalanobis distance over its degrees of freedom. The covariance is right
-    // if the expected value of each is 1.
-    Eigen::Vector3d squared_errors = Eigen::Vector3d::Zero();
-    double squared_distance = 0.0;
+    // Means over many draws of the squared errors, divided by their variances, and of
+    // the squared Mahalanobis distance, divided by its degrees of freedom. The
+    // covariance is right if the expected value of each is 1.
+    Eigen::Vector3d normalized_squared_errors = Eigen::Vector3d::Zero();
+    double normalized_squared_distance = 0.0;
     for (int i = 0; i < draws; ++i) {
       const PlaneSegment plane = fittedTo (drawBoard (points, noise, generator));
       const std::optional<PlaneCovariance> covariance =
           independentPlaneCovariance (plane);
       const Eigen::Vector3d errors = errorsOf (plane, *covariance);
       const Eigen::Matrix3d& matrix = covariance->matrix;
-      squared_errors += errors.cwiseAbs2().cwiseQuotient (matrix.diagonal()) / draws;
-      squared_distance += errors.dot (matrix.inverse() * errors) / 3.0 / draws;
+      normalized_squared_errors +=
+          errors.cwiseAbs2().cwiseQuotient (matrix.diagonal()) / draws;
+      normalized_squared_distance +=
+          errors.dot (matrix.inverse() * errors) / 3.0 / draws;
     }
-    for (const double squared :
-         {squared_errors[0], squared_errors[1], squared_errors[2], squared_distance})
-      EXPECT_NEAR (1.0, std::sqrt (squared), 10_percent);
+    for (const double normalized : {normalized_squared_errors[0],
+                                    normalized_squared_errors[1],
+                                    normalized_squared_errors[2],
+                                    normalized_squared_distance})
+      EXPECT_NEAR (1.0, std::sqrt (normalized), 10_percent);
   }
 }
 
-TEST (PlaneCovariance, IsThatOfHeightsAboutTheAxes)
+TEST (PlaneCovariance, OfFourCornersIsThatComputedByHand)
 {
-  // The corners of 4 m x 2 m with heights of 0.1 m and -0.1 m by turns. The squares of
-  // the heights sum to 4 * 0.01 m^2. Four points less three parameters of a plane leave
-  // one degree of freedom, by which the sum is divided.
+  // The corners of a rectangle of 4 m x 2 m, 0.1 m above and below it by turns. The
+  // squares of the heights sum to 4 * 0.01 m^2. Four points less three parameters of a
+  // plane leave one degree of freedom, by which the sum is divided.
   constexpr double variance = 0.04; // [m^2]
   PlaneSegment plane;
   for (const double x : {2.0, -2.0})
     for (const double y : {1.0, -1.0})
       plane.moments.add (x, y, 0.05 * x * y);
-  const auto covariance = independentPlaneCovariance (plane);
+  const std::optional<PlaneCovariance> covariance = independentPlaneCovariance (plane);
   const Eigen::Matrix2d tilts = covariance->matrix.topLeftCorner<2, 2>();
   const Eigen::Matrix3d in_space =
       covariance->axes * tilts * covariance->axes.transpose();
@@ -115,7 +122,8 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
       independent_often (2, 2), independent (2, 2) / copies, 1e-3 * independent (2, 2));
   EXPECT_NEAR (correlated_often (2, 2) / correlated (2, 2), 1.0, 20_percent);
   EXPECT_NEAR (correlated_often (0, 0) / correlated (0, 0), 1.0, 20_percent);
-  // f of planeCovariance: errors in real clouds are this many times those expected.
+  // The factor f in the documentation of planeCovariance: errors in real clouds are
+  // this many times those expected.
   constexpr double measured_factor = 1.7;
   EXPECT_NEAR (
       correlated (2, 2) / independent (2, 2), measured_factor * measured_factor, 1.0);

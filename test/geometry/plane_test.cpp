@@ -11,6 +11,7 @@ namespace {
 
 using PointList = std::vector<Eigen::Vector3d>;
 
+/** \brief The moments of points, summed up relative to an origin. */
 Moments
 momentsOf (const PointList& points, const Eigen::Vector3d& origin)
 {
@@ -23,7 +24,7 @@ momentsOf (const PointList& points, const Eigen::Vector3d& origin)
   return moments;
 }
 
-/** \brief 200 points of a tilted, noisy, elongated patch.
+/** \brief 200 points of a tilted, elongated patch with a noise of 1 cm.
  * \param[in] corner where both sides of the patch begin [m] */
 PointList
 noisyPatch (const Eigen::Vector3d& corner)
@@ -36,9 +37,11 @@ noisyPatch (const Eigen::Vector3d& corner)
   return points;
 }
 
-/** \brief The oracle: SVD of the centered points, in double. */
+/** \brief The plane through points by an SVD of the centered points, the oracle. */
 struct SvdPlane {
-  Eigen::Vector3d centroid, normal, variances;
+  Eigen::Vector3d centroid, normal;
+  /** \brief Of the points along the principal axes, ascending [m^2]. */
+  Eigen::Vector3d variances;
 };
 
 SvdPlane
@@ -62,10 +65,10 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
   // Near zero, a thousand kilometers away, and in other units.
   const struct {
     Eigen::Vector3d corner;     // of the patch
-    double unit;                // factor of all coordinates
+    double unit;                // factor by which all coordinates are scaled
     double max_angle;           // of the normals [rad]
-    double max_length;          // of differences of positions, before scaling [m]
-    double max_variances_share; // relative error of the variances
+    double max_distance;        // of both centroids, before scaling [m]
+    double max_variances_error; // relative
   } rows[] = {{{1, 2, 3}, 1.0, 1e-9, 1e-12, 1e-9},
               {{1e6, -1e6, 1e6}, 1.0, 1e-8, 1e-8, 1e-6},
               {{1, 2, 3}, 1e-6, 1e-8, 1e-12, 1e-9},
@@ -77,9 +80,9 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
     const PlaneFit fit = fitPlane (momentsOf (points, points.front())).value();
     const SvdPlane svd = planeBySvd (points);
     EXPECT_LT (angleBetween (fit.plane.normal, svd.normal), row.max_angle);
-    EXPECT_LT ((fit.centroid - svd.centroid).norm(), row.max_length * row.unit);
-    EXPECT_TRUE (fit.variances.isApprox (svd.variances, row.max_variances_share));
-    EXPECT_NEAR (fit.plane.distance (svd.centroid), 0.0, row.max_length * row.unit);
+    EXPECT_LT ((fit.centroid - svd.centroid).norm(), row.max_distance * row.unit);
+    EXPECT_TRUE (fit.variances.isApprox (svd.variances, row.max_variances_error));
+    EXPECT_NEAR (fit.plane.distance (svd.centroid), 0.0, row.max_distance * row.unit);
     EXPECT_NEAR (fit.plane.normal.norm(), 1.0, 1e-12);
   }
 }
@@ -101,15 +104,15 @@ TEST (FitPlane, HasAUnitNormalWhereSeveralPlanesFitAlike)
 
 TEST (FitPlane, IsNothingForPointsThatSpanNoPlane)
 {
-  PointList line, equal, broken = noisyPatch ({0, 0, 0}), infinite = broken;
+  PointList line, equal, with_nan = noisyPatch ({0, 0, 0}), with_infinity = with_nan;
   for (int i = 0; i < 50; ++i) {
     line.push_back (Eigen::Vector3d (1, 2, 3) + 0.1 * i * Eigen::Vector3d (1, -2, 0.5));
     equal.push_back ({1.1, 2.2, 3.3});
   }
-  broken[7].x() = NAN;
-  infinite[7].x() = INFINITY;
+  with_nan[7].x() = NAN;
+  with_infinity[7].x() = INFINITY;
   const PointList two (line.begin(), line.begin() + 2), one (1, line.front());
-  for (const PointList& points : {one, two, line, equal, broken, infinite}) {
+  for (const PointList& points : {one, two, line, equal, with_nan, with_infinity}) {
     EXPECT_FALSE (fitPlane (momentsOf (points, points.front())));
     EXPECT_FALSE (fitPlane (momentsOf (points, Eigen::Vector3d::Zero())));
   }
@@ -148,8 +151,9 @@ TEST (Moments, OfAMeanAndACovarianceHaveBoth)
 
 TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliersToItself)
 {
-  // A plane of a coarse method, 4 cm from the fitted plane of its points, which lie
-  // 3 cm off either side of that plane.
+  // A plane of a coarse method. The plane fitted to its points is 4 cm beside it, and
+  // the points lie 3 cm to both sides of the fitted plane: the rms distance to the
+  // coarse plane is sqrt (4^2 + 3^2) cm.
   pcl_ops::PlaneSegment segment;
   segment.centroid = {2, 0, 0};
   segment.normal = Eigen::Vector3d::UnitX();

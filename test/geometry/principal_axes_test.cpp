@@ -9,7 +9,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief A matrix with these eigenvalues along random axes. */
+/** \brief A symmetric matrix with these eigenvalues and with random eigenvectors. */
 Eigen::Matrix3d
 matrixWith (const Eigen::Vector3d& values, RandomGenerator& generator)
 {
@@ -23,11 +23,14 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolverInAnyUnitOfLength)
 {
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 200; ++i) {
-    const double width = std::pow (10.0, -3.0 * drawUnit (generator));
+    const double middle_value = std::pow (10.0, -3.0 * drawUnit (generator));
     // Every tenth matrix is that of an exact plane: its least eigenvalue is 0.
-    const double noise = i % 10 == 0 ? 0.0 : 0.9 * width * drawUnit (generator);
-    const double unit = std::pow (10.0, 24.0 * drawUnit (generator) - 12.0);
-    const Eigen::Matrix3d matrix = unit * matrixWith ({noise, width, 1.0}, generator);
+    const double least_value =
+        i % 10 == 0 ? 0.0 : 0.9 * middle_value * drawUnit (generator);
+    // From 1e-12 to 1e12, the square of a unit of length.
+    const double scale = std::pow (10.0, 24.0 * drawUnit (generator) - 12.0);
+    const Eigen::Matrix3d matrix =
+        scale * matrixWith ({least_value, middle_value, 1.0}, generator);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle (matrix);
     const PrincipalAxes axes = principalAxes (matrix);
     EXPECT_NEAR (axes.normal.norm(), 1.0, 1e-12);
@@ -42,7 +45,7 @@ TEST (PrincipalAxes, HaveTwoValuesOfZeroForALine)
   for (int i = 0; i < 200; ++i) {
     const Eigen::Matrix3d line = matrixWith ({0.0, 0.0, 1e12}, generator);
     const Eigen::Vector3d values = principalAxes (line).values;
-    // Double roots of the characteristic polynomial are found to half of the digits.
+    // A double root of the characteristic polynomial is found to half of the digits.
     EXPECT_TRUE (values.isApprox (Eigen::Vector3d (0.0, 0.0, 1e12), 1e-6))
         << values.transpose();
   }

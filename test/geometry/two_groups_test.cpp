@@ -6,7 +6,7 @@
 
 using namespace pcl_ops::internal;
 
-TEST (BestTwoGroups, OfTwoValuesAreTheseAndExplainAll)
+TEST (BestTwoGroups, OfTwoDifferentValuesExplainAllOfTheVariance)
 {
   const TwoGroups groups = bestTwoGroups ({1.0, 1.0, 1.0, 4.0, 4.0});
   EXPECT_EQ (groups.first_above, 3u);
@@ -14,7 +14,7 @@ TEST (BestTwoGroups, OfTwoValuesAreTheseAndExplainAll)
   EXPECT_DOUBLE_EQ (groups.explained_share, 1.0);
 }
 
-TEST (BestTwoGroups, OfEvenlySpreadValuesAreHalvesAndExplainThreeQuarters)
+TEST (BestTwoGroups, OfEvenlySpreadValuesAreHalvesThatExplain3QuartersOfTheVariance)
 {
   std::vector<double> values;
   for (int i = 0; i < 1000; ++i)
@@ -29,7 +29,8 @@ TEST (BestTwoGroups, HaveAsManyValuesEachAsAreAskedFor)
   const std::vector<double> one_apart{0.0, 1.0, 2.0, 3.0, 100.0};
   EXPECT_EQ (bestTwoGroups (one_apart).first_above, 4u);
   EXPECT_EQ (bestTwoGroups (one_apart, 2).first_above, 3u);
-  EXPECT_EQ (bestTwoGroups (one_apart, 3).first_above, 0u) << "five are too few";
+  EXPECT_EQ (bestTwoGroups (one_apart, 3).first_above, 0u)
+      << "five values are too few for two groups of three";
   EXPECT_EQ (bestTwoGroups (one_apart, 3).explained_share, 0.0);
 }
 

@@ -22,16 +22,16 @@ TEST (Assignment, IsTheBestOfAllPermutationsOfTheColumns)
       // Whole numbers from -5 to 14.
       const Eigen::MatrixXd benefit = Eigen::MatrixXd::NullaryExpr (
           rows, columns, [&] { return double (generator() % 20) - 5.0; });
-      std::vector<int> column_of (columns);
-      std::iota (column_of.begin(), column_of.end(), 0);
+      std::vector<int> column_of_row (columns); // those after the last row stay free
+      std::iota (column_of_row.begin(), column_of_row.end(), 0);
       double best = -std::numeric_limits<double>::infinity();
       do {
         double sum = 0.0;
         for (int row = 0; row < rows; ++row)
-          sum += benefit (row, column_of[row]);
+          sum += benefit (row, column_of_row[row]);
         best = std::max (best, sum);
       }
-      while (std::next_permutation (column_of.begin(), column_of.end()));
+      while (std::next_permutation (column_of_row.begin(), column_of_row.end()));
       EXPECT_EQ (maximumAssignment (benefit), best);
     }
 }

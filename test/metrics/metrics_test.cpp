@@ -28,7 +28,7 @@ floorAndWall ()
 }
 
 /** The labels that a text such as "10x1 5x2" describes: ten points labeled 1, then five
- * labeled 2. */
+ * labeled 2. Label 0 is no plane. */
 PlaneLabels
 labelsFrom (const std::string& text)
 {
@@ -43,7 +43,8 @@ labelsFrom (const std::string& text)
 
 TEST (Metrics, AreWhatTheirDefinitionSays)
 {
-  const auto rows = tableIn (PCL_OPS_METRICS);
+  // Each row has a name, the true labels, the found labels and the expected metrics.
+  const auto rows = tableIn (PCL_OPS_METRICS); // test/metrics/metrics.tsv
   ASSERT_FALSE (rows.empty());
   for (const auto& row : rows) {
     SCOPED_TRACE (row.at (0));
@@ -73,9 +74,9 @@ unknownFrom (const std::string& text)
 double
 valueOf (const Metrics& metrics, const std::string& name)
 {
-  for (const auto& named : metrics.named)
-    if (named.first == name)
-      return named.second;
+  for (const auto& [metric, value] : metrics.named)
+    if (metric == name)
+      return value;
   return -1.0;
 }
 
@@ -124,14 +125,15 @@ TEST (PlaneLabels, OfPlanesWithFewerPointsThanWantedAreDropped)
   EXPECT_EQ (labels, labelsFrom ("3x7 3x0"));
 }
 
-TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
+TEST (Metrics, LabelsOfOtherPointsOrOfTooManyPlanesAreRefused)
 {
   EXPECT_THROW (
       compareLabels (floorAndWall(), PlaneLabels (20, 1), PlaneLabels (19, 1)),
       std::invalid_argument);
-  PlaneLabels one_a_point (20'000); // refused before memory runs out
-  std::iota (one_a_point.begin(), one_a_point.end(), 1u);
-  EXPECT_THROW (compareLabels (XyzCloud (20'000, 1), one_a_point, one_a_point),
+  // As many planes as points would need a table of 20,000 x 20,000 overlaps.
+  PlaneLabels all_different (20'000);
+  std::iota (all_different.begin(), all_different.end(), 1u);
+  EXPECT_THROW (compareLabels (XyzCloud (20'000, 1), all_different, all_different),
                 std::length_error);
 }
 
@@ -147,6 +149,7 @@ planesIn (const SizeClasses& classes)
 
 TEST (SizeClasses, ATruePlaneBelongsToTheClassOfItsPoints)
 {
+  // The classes end before 200, 500, 1000, 3000 and 10,000 points.
   PlaneLabels labels;
   for (const std::size_t size :
        {1, 199, 200, 499, 500, 999, 1000, 2999, 3000, 9999, 10000, 30000})
@@ -156,9 +159,10 @@ TEST (SizeClasses, ATruePlaneBelongsToTheClassOfItsPoints)
              (std::vector<std::size_t> (6, 2)));
 }
 
-TEST (Widths, DivideTruePlanesIntoClasses)
+TEST (WidthClasses, ATruePlaneBelongsToTheClassOfItsWidth)
 {
-  // Slanted boards 2 m long, of steps x steps points each.
+  // The classes end at 3 cm, 6 cm, 12 cm, 25 cm and 1 m. Slanted boards 2 m long, one
+  // above the other, have steps x steps points each.
   constexpr int steps = 40;
   const Eigen::Vector3d across (1.0 / 3, 2.0 / 3, 2.0 / 3);
   const Eigen::Vector3d along (2.0 / 3, 1.0 / 3, -2.0 / 3);
@@ -174,7 +178,7 @@ TEST (Widths, DivideTruePlanesIntoClasses)
       labels.push_back (label);
     }
   }
-  cloud[0].x = std::numeric_limits<float>::quiet_NaN();
+  cloud[0].x = std::numeric_limits<float>::quiet_NaN(); // which changes no width
   PlaneLabels all_but_first = labels;
   std::replace (all_but_first.begin(), all_but_first.end(), 1u, 0u);
   const SizeClasses classes = compareLabels (cloud, labels, all_but_first).by_width;

@@ -9,13 +9,14 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief A wall of some 2 m x 2 m, 4.8 m to 5.6 m from a camera that looks along z. */
 const Surface slanted_wall = {{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}};
 
 /** \brief Points of the slanted wall whose depths z are rounded to a step [m].
  * \param[in] jitter width of the interval from which an error of each rounded depth is
  * drawn [m] */
 Coordinates
-onSteps (double step, double jitter = 0.0)
+slantedWallInSteps (double step, double jitter = 0.0)
 {
   Coordinates points = drawnOn ({slanted_wall}, 1_cm, 1_mm);
   RandomGenerator generator (seedOfTest());
@@ -29,6 +30,7 @@ onSteps (double step, double jitter = 0.0)
  * (0.8 x - 0.6 z, y, 0.6 x + 0.8 z). */
 const Eigen::Vector3d turned_z (-0.6, 0, 0.8);
 
+/** \brief The levels that findDepthLevels sees; without steps if it sees none. */
 DepthLevels
 levelsOf (const Coordinates& points)
 {
@@ -39,7 +41,7 @@ levelsOf (const Coordinates& points)
 
 TEST (DepthLevels, AreAsFarApartAsTheSteps)
 {
-  const DepthLevels levels = levelsOf (onSteps (4_cm));
+  const DepthLevels levels = levelsOf (slantedWallInSteps (4_cm));
   ASSERT_FALSE (levels.step.empty());
   EXPECT_NEAR (std::abs (levels.direction.z()), 1.0, 1e-6);
   for (const float step : levels.step)
@@ -48,7 +50,7 @@ TEST (DepthLevels, AreAsFarApartAsTheSteps)
 
 TEST (DepthLevels, AreSeenInAnyDirection)
 {
-  Coordinates points = onSteps (4_cm);
+  Coordinates points = slantedWallInSteps (4_cm);
   for (std::size_t i = 0; i < points.size(); ++i) { // as in turned_z
     const float x = points.x[i];
     points.x[i] = 0.8f * x - 0.6f * points.z[i];
@@ -63,7 +65,7 @@ TEST (DepthLevels, MayBeRoundedOrJittered)
 {
   constexpr double rounding = 2e-5; // of coordinates that were turned in between
   for (const double jitter : {rounding, 1_mm}) {
-    const DepthLevels levels = levelsOf (onSteps (4_cm, jitter));
+    const DepthLevels levels = levelsOf (slantedWallInSteps (4_cm, jitter));
     ASSERT_FALSE (levels.step.empty()) << jitter;
     EXPECT_NEAR (levels.step[0], 4e-2, 2e-3);
   }
@@ -85,10 +87,10 @@ TEST (DepthLevels, MayBeRoundedAcross)
   const DepthLevels levels = levelsOf (points);
   ASSERT_FALSE (levels.step.empty());
   EXPECT_NEAR (std::abs (levels.direction.dot (turned_z)), 1.0, 1e-6);
-  std::size_t right_steps = 0;
+  std::size_t steps_near_1_cm = 0;
   for (const float step : levels.step)
-    right_steps += std::abs (step - 1e-2) < 1e-3 ? 1 : 0;
-  EXPECT_GT (right_steps, points.size() * 9 / 10);
+    steps_near_1_cm += std::abs (step - 1e-2) < 1e-3 ? 1 : 0;
+  EXPECT_GT (steps_near_1_cm, points.size() * 9 / 10);
 }
 
 TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
@@ -102,7 +104,7 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
                                   3_cm,
                                   0.0))
                    .step.empty());
-  // 1600 points of one plane, fewer than 2000.
+  // 1600 points of one plane: fewer than 2000 are not searched for levels.
   EXPECT_TRUE (levelsOf (drawnOn ({square_of_ground}, 5_cm, 0.0)).step.empty());
   // A wall, and a floor at three heights, both on grids of 4 cm. The rows of the grids
   // are no levels of depth.
@@ -123,7 +125,7 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
 
 TEST (DepthLevels, FarBehindAllOthersGetNoLargerStepThanTheOthers)
 {
-  Coordinates points = onSteps (4_cm);
+  Coordinates points = slantedWallInSteps (4_cm);
   // All points of a wall 1.4 m and more behind the slanted one are on one level.
   const Coordinates far_wall =
       drawnOn ({{{-1, -1, 7.0}, {2, 0, 0}, {0, 2, 0}}}, 2_cm, 0.0);

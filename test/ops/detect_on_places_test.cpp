@@ -13,16 +13,19 @@ namespace {
 
 using OpsParameters = pcl_ops::OrientedPointSamplingParameters;
 
+/** \brief Default parameters with the sampling that detectOnPlaces is for. */
 OpsParameters
-usualParameters ()
+neighborhoodParameters ()
 {
   OpsParameters parameters;
   parameters.sampling = pcl_ops::Sampling::Neighborhoods;
   return parameters;
 }
 
+/** \brief What detectOnPlaces finds, without the durations of its stages. */
 LabelledPlanes
-detectIn (const Points& points, const OpsParameters& parameters = usualParameters())
+detectIn (const Points& points,
+          const OpsParameters& parameters = neighborhoodParameters())
 {
   pcl_ops::StageDurations durations;
   return detectOnPlaces (points, parameters, durations);
@@ -42,6 +45,7 @@ addDrawn (Points& points, const Surface& surface, double spacing, double noise)
   }
 }
 
+/** \brief The points of \ref addDrawn on each surface, one surface after the other. */
 Points
 drawnPoints (const std::vector<Surface>& surfaces, double spacing, double noise)
 {
@@ -55,26 +59,28 @@ const Surface floor_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
 const Surface wall_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}};
 const Surface table = {{1.5, 1, 0.75}, {1.2, 0, 0}, {0, 0.8, 0}};
 
-constexpr double spacing_in_room = 2.5e-2;          // [m]
+constexpr double spacing_in_room = 2.5e-2;          // of neighboring points [m]
 constexpr std::size_t points_of_room_floor = 19200; // 4 m x 3 m / spacing^2
 constexpr std::size_t points_of_room_wall = 16000;  // 4 m x 2.5 m / spacing^2
 
-/** \brief Points of a floor, a wall and a table, in this order. */
+/** \brief Points of a floor, a wall and a table, in this order, with a noise of 3 mm.
+ */
 Points
 smallRoom ()
 {
   return drawnPoints ({floor_of_room, wall_of_room, table}, spacing_in_room, 3_mm);
 }
 
-struct UsualLabel {
+struct FrequentLabel {
   std::int32_t label;
   double share_of_points;
 };
 
 /** \brief The most frequent label of the points begin to end - 1, apart from no_plane,
- * and the share of these points with that label. */
-UsualLabel
-usualLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
+ * and the share of these points with that label; no_plane and 0 if there are no planes.
+ */
+FrequentLabel
+mostFrequentLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
 {
   std::vector<std::size_t> counts (found.planes.fits.size() + 1);
   for (std::size_t i = begin; i < end; ++i)
@@ -98,7 +104,7 @@ expectEachHasItsPlane (const LabelledPlanes& found,
   std::set<std::int32_t> planes;
   std::size_t begin = 0;
   for (const std::size_t end : surface_ends) {
-    const auto [plane, share] = usualLabel (found, begin, end);
+    const auto [plane, share] = mostFrequentLabel (found, begin, end);
     EXPECT_GE (share, min_share) << "the surface up to point " << end;
     planes.insert (plane);
     begin = end;
@@ -150,7 +156,7 @@ TEST (DetectOnPlaces, FindsTheSameWithAnyNumberOfThreads)
   const Points points = smallRoom();
   const LabelledPlanes found = detectIn (points);
   for (const unsigned threads : {2u, 3u}) {
-    OpsParameters parameters = usualParameters();
+    OpsParameters parameters = neighborhoodParameters();
     parameters.threads = threads;
     const LabelledPlanes again = detectIn (points, parameters);
     EXPECT_EQ (again.labels, found.labels);
@@ -162,7 +168,8 @@ TEST (DetectOnPlaces, FindsTheSameWithAnyNumberOfThreads)
 
 TEST (DetectOnPlaces, FindsTheFacesOfARoofAndNoPlaneInTheHillBelow)
 {
-  // A hill 4 m high and some 20 m wide; above its top a roof of two faces.
+  // A Gaussian hill, 4 m high, with a standard deviation of 5 m. Above its top a roof
+  // of two faces.
   Points points;
   const Surface site = {{-12, -12, 0}, {24, 0, 0}, {0, 24, 0}};
   addDrawn (points, site, 15_cm, 0.0);
@@ -182,8 +189,8 @@ TEST (DetectOnPlaces, FindsTheFacesOfARoofAndNoPlaneInTheHillBelow)
   for (std::size_t i = 0; i < hill_end; ++i)
     on_hill += found.labels[i] != no_plane;
   EXPECT_LT (static_cast<double> (on_hill), 0.3 * static_cast<double> (hill_end));
-  const UsualLabel left = usualLabel (found, hill_end, left_face_end);
-  const UsualLabel right = usualLabel (found, left_face_end, points.size());
+  const FrequentLabel left = mostFrequentLabel (found, hill_end, left_face_end);
+  const FrequentLabel right = mostFrequentLabel (found, left_face_end, points.size());
   EXPECT_NE (left.label, right.label);
   EXPECT_GT (left.share_of_points, 0.9);
   EXPECT_GT (right.share_of_points, 0.9);
@@ -208,7 +215,7 @@ TEST (DetectOnPlaces, FindsTheFacesOfARoofInSinglePrecisionOfMapCoordinates)
 
 TEST (DetectOnPlaces, TellsTheSidesOfAWallApart)
 {
-  // A wall 10 cm thick: some neighborhoods of one side reach the other side.
+  // A wall 10 cm thick: some neighborhoods of one side have points of the other side.
   const Points points = drawnPoints (
       {{{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}}, {{0, 0.1, 0}, {4, 0, 0}, {0, 0, 2.5}}},
       2_cm,
@@ -246,19 +253,20 @@ TEST (DetectOnPlaces, TellsTheSidesOfABodyOnAnExactGridApart)
 
 TEST (DetectOnPlaces, MakesOnePlaneOfWhatAGapDivides)
 {
+  // Two squares of one level, with a gap of 1 m between them.
   const Points points = drawnPoints (
       {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{3, 0, 0}, {2, 0, 0}, {0, 2, 0}}},
       2_cm,
       3_mm);
   EXPECT_EQ (detectIn (points).planes.fits.size(), 1u);
-  OpsParameters parameters = usualParameters();
+  OpsParameters parameters = neighborhoodParameters();
   parameters.merging.enabled = false;
   EXPECT_EQ (detectIn (points, parameters).planes.fits.size(), 2u);
 }
 
 TEST (DetectOnPlaces, KeepsApartWhatNoiseDoesNotExplain)
 {
-  // Beyond a gap of 0.5 m a step of 3 cm.
+  // Two squares with a gap of 0.5 m between them; the second one is 3 cm higher.
   for (const double noise : {2_mm, 3_cm}) {
     const bool noise_explains_step = noise > 1_cm;
     const Points points = drawnPoints (
@@ -317,16 +325,16 @@ TEST (DetectOnPlaces, KeepsEachPlaneAsThinAsItsNoiseSays)
 
 TEST (DetectOnPlaces, SaysHowFarPointsMayBeFromTheirPlanes)
 {
-  // Three times the noise of the room, 3 mm.
   const LabelledPlanes found = detectIn (smallRoom());
-  EXPECT_NEAR (found.used.distance_threshold.value_or (0.0), 9_mm, 2_mm);
+  constexpr double three_noises = 3 * 3_mm;
+  EXPECT_NEAR (found.used.distance_threshold.value_or (0.0), three_noises, 2_mm);
   EXPECT_EQ (found.used.voxel_size, std::nullopt);
 }
 
 TEST (DetectOnPlaces, LabelsPointsWithinAGivenDistanceAlone)
 {
   const Points points = drawnPoints ({floor_of_room}, 2_cm, 1_cm);
-  OpsParameters parameters = usualParameters();
+  OpsParameters parameters = neighborhoodParameters();
   parameters.distance_threshold = 1_cm;
   const LabelledPlanes found = detectIn (points, parameters);
   ASSERT_EQ (found.planes.fits.size(), 1u);
@@ -335,7 +343,8 @@ TEST (DetectOnPlaces, LabelsPointsWithinAGivenDistanceAlone)
   for (std::size_t i = 0; i < points.size(); ++i)
     if (found.labels[i] != no_plane) {
       ++labelled;
-      EXPECT_LT (std::abs (points.z[i]), 1.05e-2) << "and half a millimeter of tilt";
+      EXPECT_LT (std::abs (points.z[i]), 1.05e-2)
+          << "1 cm and half a millimeter of tilt";
     }
   // The threshold is the standard deviation of the noise.
   constexpr double normal_share_within_one_deviation = 0.68;
@@ -415,8 +424,8 @@ TEST (DetectOnPlaces, FindsASurfaceThatIsFarDenserInAPlace)
 
 TEST (DetectOnPlaces, PartsTheSidesOfAWallThatNeighborhoodsMix)
 {
-  // A board seen from both sides. Its sides are 3 cm apart, as neighboring points of
-  // one side are.
+  // A board of which both sides were seen. The sides are 3 cm apart, and neighboring
+  // points of one side, too.
   const Points points = drawnPoints (
       {{{0, 0, 0.01}, {2, 0, 0}, {0, 2, 0}}, {{0, 0, 0.04}, {2, 0, 0}, {0, 2, 0}}},
       3_cm,
@@ -446,7 +455,7 @@ TEST (DetectOnPlaces, FindsBothSidesOfWallsThinnerThanPointsAreApart)
 TEST (DetectOnPlaces, FindsTheSameWhereTheCloudIsMoved)
 {
   const Points points = smallRoom();
-  Points moved = points;
+  Points moved = points; // by no multiple of a length in the room
   for (std::size_t i = 0; i < points.size(); ++i) {
     moved.x[i] += 0.371f;
     moved.y[i] += 0.613f;
@@ -454,25 +463,25 @@ TEST (DetectOnPlaces, FindsTheSameWhereTheCloudIsMoved)
   }
   const LabelledPlanes found = detectIn (points);
   const LabelledPlanes again = detectIn (moved);
-  std::size_t same = 0;
+  std::size_t same_label = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    same += found.labels[i] == again.labels[i];
-  EXPECT_GT (same, 0.999 * static_cast<double> (points.size()));
+    same_label += found.labels[i] == again.labels[i];
+  EXPECT_GT (same_label, 0.999 * static_cast<double> (points.size()));
 }
 
 TEST (DetectOnPlaces, FindsNearlyTheSameWithoutSomeOfThePoints)
 {
   const Points points = smallRoom();
-  Indices most; // all but each hundredth
+  Indices kept; // 99 of each hundred points
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if (i % 100 != 7)
-      most.push_back (i);
+      kept.push_back (i);
   const LabelledPlanes found = detectIn (points);
-  const LabelledPlanes again = detectIn (inOrder (points, most));
-  std::size_t same = 0;
-  for (std::size_t i = 0; i < most.size(); ++i)
-    same += found.labels[most[i]] == again.labels[i];
-  EXPECT_GT (same, 0.99 * static_cast<double> (most.size()));
+  const LabelledPlanes again = detectIn (inOrder (points, kept));
+  std::size_t same_label = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    same_label += found.labels[kept[i]] == again.labels[i];
+  EXPECT_GT (same_label, 0.99 * static_cast<double> (kept.size()));
 }
 
 TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
@@ -493,14 +502,16 @@ TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
 
 TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
 {
-  // A wall some 5 m away that a depth camera sees at a slant, depths rounded to 2 cm,
-  // and the same wall turned about the y axis and rounded to millimeters.
-  const auto onLevels = [] (bool is_turned) {
+  // A wall some 5 m away that a depth camera sees at a slant, depths z rounded to 2 cm;
+  // then, if it is turned, the cloud of this wall turned about the y axis, with x and z
+  // rounded to millimeters.
+  const auto wallOnLevels = [] (bool is_turned) {
     Points points = drawnPoints ({{{-1, -1, 4.5}, {2, 0, 0.4}, {0, 2, 0}}}, 1_cm, 5_mm);
     for (std::size_t i = 0; i < points.size(); ++i) {
       points.z[i] = static_cast<float> (2_cm * std::round (points.z[i] / 2_cm));
       if (!is_turned)
         continue;
+      // The cosine of the angle is 0.8, its sine 0.6.
       const float x = 0.8f * points.x[i] - 0.6f * points.z[i];
       const float z = 0.6f * points.x[i] + 0.8f * points.z[i];
       points.x[i] = 1e-3f * std::round (1e3f * x);
@@ -509,9 +520,9 @@ TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
     return points;
   };
   for (const bool is_turned : {false, true}) {
-    const LabelledPlanes found = detectIn (onLevels (is_turned));
+    const LabelledPlanes found = detectIn (wallOnLevels (is_turned));
     EXPECT_EQ (found.planes.fits.size(), 1u) << is_turned;
-    expectEachHasItsPlane (found, {onLevels (is_turned).size()}, 0.9);
+    expectEachHasItsPlane (found, {wallOnLevels (is_turned).size()}, 0.9);
   }
 }
 
@@ -536,7 +547,7 @@ TEST (DetectOnPlaces, FindsInAPartWhatIsAPlaneOfTheWhole)
   // The 43 points of a table are a plane in a cloud of 2,000 points, but too few for
   // one in a cloud of a billion points.
   const Points points = drawnPoints ({table}, 15_cm, 3_mm);
-  OpsParameters parameters = usualParameters();
+  OpsParameters parameters = neighborhoodParameters();
   parameters.noise_of_whole = noiseOfCloud (points, parameters, 2'000);
   EXPECT_EQ (detectIn (points, parameters).planes.fits.size(), 1u);
   parameters.noise_of_whole = noiseOfCloud (points, parameters, 1'000'000'000);
@@ -546,7 +557,7 @@ TEST (DetectOnPlaces, FindsInAPartWhatIsAPlaneOfTheWhole)
 TEST (DetectOnPlaces, FindsTheSameWhereAWholeIsGivenItsOwnNoise)
 {
   const Points points = smallRoom();
-  OpsParameters parameters = usualParameters();
+  OpsParameters parameters = neighborhoodParameters();
   constexpr std::size_t points_are_the_whole = 0;
   parameters.noise_of_whole = noiseOfCloud (points, parameters, points_are_the_whole);
   EXPECT_EQ (detectIn (points, parameters).labels, detectIn (points).labels);

@@ -34,7 +34,7 @@ variantOn (const Cloud::ConstPtr& cloud,
 /** \brief For extractPlanes where samples alone verify planes. */
 const Points no_points;
 
-/** \brief The third parameter is local_optimization. */
+/** \brief Strategy, verification, and whether local_optimization is on. */
 class EachVariant
 : public ::testing::TestWithParam<std::tuple<Strategy, Verification, bool>> {};
 
@@ -42,7 +42,7 @@ class EachVariant
 
 TEST_P (EachVariant, FindsEverySurfaceOfARoom)
 {
-  const auto scene = room().build();
+  const LabelledScene scene = room().build();
   const auto [strategy, verification, local_optimization] = GetParam();
   Ops ops = variantOn (scene.cloud, strategy, verification, local_optimization);
   expectFindsEverySurface (planesOf (ops), scene);
@@ -64,7 +64,7 @@ TEST (Strategy, NumbersAreThoseOfThePaper)
 
 TEST (Strategy, OneDoesNotCareForTheUpAxisAndTwoFindsThePlanesWhateverItIs)
 {
-  const auto scene = room().build();
+  const LabelledScene scene = room().build();
   Ops strategy_one = variantOn (scene.cloud, Strategy::DetectThenDivide);
   Ops strategy_two = variantOn (scene.cloud, Strategy::DivideThenDetect);
   const std::vector<pcl::Indices> inliers = inliersOf (strategy_one);
@@ -80,13 +80,13 @@ TEST (Strategy, TwoDetectsPerGroupOfSamples)
 {
   // A ramp crosses the floor. The floor is detected among the level samples alone, so
   // its plane takes no sample of the ramp.
-  const auto scene =
+  const LabelledScene scene =
       Scene().floor (3, 3).surface ({0, 1, -0.5}, {3, 0, 1}, {0, 1, 0}).build();
   OrientedSamples samples;
   for (std::size_t i = 0; i < scene.cloud->size(); ++i)
     samples.add ((*scene.cloud)[i].getVector3fMap().cast<double>(),
                  scene.surfaces[static_cast<std::size_t> (scene.labels[i])].normal());
-  const auto planes =
+  const std::vector<pcl_ops::Plane> planes =
       extractPlanes (no_points, samples, OrientedPointSamplingParameters::paper());
   ASSERT_EQ (planes.size(), 2u);
   EXPECT_TRUE (isNear (planes[0], scene.surfaces[0], 1e-5, 1e-5));
@@ -95,7 +95,7 @@ TEST (Strategy, TwoDetectsPerGroupOfSamples)
 
 TEST (MinSamples, OfZeroStillAsksForThreeSamples)
 {
-  auto parameters = OrientedPointSamplingParameters::paper();
+  OrientedPointSamplingParameters parameters = OrientedPointSamplingParameters::paper();
   parameters.min_samples = 0;
   OrientedSamples samples;
   samples.add ({0, 0, 0}, Eigen::Vector3d::UnitZ());
@@ -111,20 +111,21 @@ TEST (Verification, CountsOnAllPointsWhereToldTo)
   constexpr int on_floor = 40;
   OrientedSamples samples;
   Points points;
+  // The floor is at z = 0, the table at 1 m.
   for (int i = 0; i < 60; ++i)
     samples.add ({i % 7 * 1.0, i % 5 * 1.0, i < on_floor ? 0.0 : 1.0},
                  Eigen::Vector3d::UnitZ());
   for (int i = 0; i < 1000; ++i)
     points.add (
         static_cast<float> (i % 7), static_cast<float> (i % 5), i < on_floor ? 0 : 1);
-  auto parameters = OrientedPointSamplingParameters::paper();
+  OrientedPointSamplingParameters parameters = OrientedPointSamplingParameters::paper();
   parameters.min_samples = 10;
-  const auto heightOfFirst = [&] {
+  const auto heightOfFirstPlane = [&] {
     return -extractPlanes (points, samples, parameters).at (0).offset;
   };
-  EXPECT_NEAR (std::abs (heightOfFirst()), 0.0, 1e-6);
+  EXPECT_NEAR (std::abs (heightOfFirstPlane()), 0.0, 1e-6);
   parameters.paper_only.verification = Verification::AllPoints;
-  EXPECT_NEAR (std::abs (heightOfFirst()), 1.0, 1e-6);
+  EXPECT_NEAR (std::abs (heightOfFirstPlane()), 1.0, 1e-6);
 }
 
 TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
@@ -162,7 +163,7 @@ TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
   EXPECT_EQ (ops.getParameters().paper_only.strategy, Strategy::DivideThenDetect);
 }
 
-TEST (Setters, HaveTheNameOfTheInliersForTheMinimumOfSamples)
+TEST (Setters, SetMinInliersSetsTheMinimumOfSamples)
 {
   Ops ops;
   ops.setMinInliers (44);

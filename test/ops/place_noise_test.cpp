@@ -24,6 +24,7 @@ wavyWall ()
   return points;
 }
 
+/** \brief The median over all places [m]. */
 double
 medianNoise (const PlaceScene& scene)
 {
@@ -70,8 +71,8 @@ TEST (PlaceNoise, OfThePlacesOfAWholeIsTheSameWhereTheWholeIsGiven)
 
 TEST (PlaceNoise, OfABarrelIsThatOfItsPointsAndNotItsBend)
 {
-  // Supports of 40 cm and more bend by more than the noise.
-  constexpr float radius = 0.6f; // at the top of the barrel [m]
+  // A barrel along y. Supports of 40 cm and more bend by more than the noise of 1 mm.
+  constexpr float radius = 0.6f; // of curvature at the top of the barrel [m]
   Coordinates barrel = drawnOn ({square_of_ground}, 2_cm, 1_mm);
   for (std::size_t i = 0; i < barrel.size(); ++i) {
     const float from_top = barrel.x[i] - 1.0f;
@@ -92,21 +93,22 @@ TEST (ChooseSupports, TakesTheLargestThatTheNoiseExplains)
   // Beside the edge of two walls supports are smaller than in the middle of one.
   const PlaceScene scene (
       drawnOn ({square_of_ground, {{0, 0, 0}, {2, 0, 0}, {0, 0, 2}}}, 2_cm, 2_mm));
-  double widths_beside = 0.0;
-  double widths_inside = 0.0;
-  double places_beside = 0.0;
-  double places_inside = 0.0;
+  double sum_of_widths_beside_edge = 0.0;
+  double sum_of_widths_in_middle = 0.0;
+  double places_beside_edge = 0.0;
+  double places_in_middle = 0.0;
   for (std::size_t i = 0; i < scene.places.size(); ++i) {
     const Eigen::Vector3d& position = scene.places.position[i];
     const double from_edge = std::max (position.y(), position.z()); // one is near 0
     if (from_edge < 0.1) {
-      widths_beside += scene.chosen.width[i];
-      ++places_beside;
+      sum_of_widths_beside_edge += scene.chosen.width[i];
+      ++places_beside_edge;
     }
     else if (std::abs (from_edge - 1.0) < 0.2) {
-      widths_inside += scene.chosen.width[i];
-      ++places_inside;
+      sum_of_widths_in_middle += scene.chosen.width[i];
+      ++places_in_middle;
     }
   }
-  EXPECT_LT (widths_beside / places_beside, 0.6 * widths_inside / places_inside);
+  EXPECT_LT (sum_of_widths_beside_edge / places_beside_edge,
+             0.6 * sum_of_widths_in_middle / places_in_middle);
 }

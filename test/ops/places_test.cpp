@@ -9,10 +9,11 @@ using namespace pcl_ops::internal;
 
 TEST (Places, HaveTheirNearestOthers)
 {
-  constexpr std::size_t neighbors = 11; // a neighborhood has the place itself, too
-  const PlaceScene scene (drawnOn ({square_of_ground}, 5_cm, 1_mm), neighbors + 1);
+  constexpr std::size_t neighbors = 11;
+  constexpr std::size_t neighborhood_size = neighbors + 1; // with the place itself
+  const PlaceScene scene (drawnOn ({square_of_ground}, 5_cm, 1_mm), neighborhood_size);
   const Places& places = scene.places;
-  ASSERT_EQ (places.neighbors, neighbors);
+  ASSERT_EQ (places.neighbors_per_place, neighbors);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::uint32_t* const nearest = places.nearestOf (i);
     const std::set<std::uint32_t> others (nearest, nearest + neighbors);
@@ -28,13 +29,14 @@ TEST (Places, HaveSupportsThatGrow)
   ASSERT_GE (places.supports.size(), 3u);
   for (std::size_t level = 1; level < places.supports.size(); ++level) {
     EXPECT_GT (places.points_of_level[level], places.points_of_level[level - 1]);
-    double widths_before = 0.0;
-    double widths = 0.0;
+    double sum_of_widths_below = 0.0; // of the level below
+    double sum_of_widths = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      widths_before += places.supports[level - 1][i].width;
-      widths += places.supports[level][i].width;
+      sum_of_widths_below += places.supports[level - 1][i].width;
+      sum_of_widths += places.supports[level][i].width;
     }
-    EXPECT_GT (widths, 1.4 * widths_before);
+    // 3.4 times the points make it sqrt (3.4) = 1.8 times as wide, but at rims less.
+    EXPECT_GT (sum_of_widths, 1.4 * sum_of_widths_below);
   }
 }
 
@@ -51,8 +53,9 @@ TEST (Places, ScatterByTheNoiseAndStandUpright)
 
 TEST (Places, OnLevelsScatterByTheVarianceOfTheirStep)
 {
-  // A wall that leans, in steps of 4 cm. Most of the nearest points are on one level,
-  // but their true depths may be anywhere within a step.
+  // A slanted wall whose depths z are rounded to steps of 4 cm. Most of the nearest
+  // points of a place are on one level, but their true depths may be anywhere within a
+  // step.
   Coordinates points = drawnOn ({{{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}}}, 1_cm, 0.0);
   for (float& z : points.z)
     z = static_cast<float> (4_cm * std::round (z / 4_cm));
@@ -60,8 +63,10 @@ TEST (Places, OnLevelsScatterByTheVarianceOfTheirStep)
   std::vector<float> scatter;
   for (const Support& support : scene.places.supports[0])
     scatter.push_back (support.scatter);
+  // The standard deviation of numbers spread uniformly over an interval is its width
+  // over sqrt (12). Along the normal of the slanted wall it is a little less.
   const double deviation_within_step = 4_cm / std::sqrt (12.0);
-  EXPECT_GT (medianOf (scatter), 0.9 * deviation_within_step) << "the wall leans";
+  EXPECT_GT (medianOf (scatter), 0.9 * deviation_within_step);
 }
 
 TEST (Places, AreAsDenseAsTheirPoints)
@@ -72,7 +77,7 @@ TEST (Places, AreAsDenseAsTheirPoints)
   EXPECT_NEAR (medianOf (density), expected, 1500.0) << "roughly";
 }
 
-TEST (NeighborsOfCloud, GrowWithTheCloudWithinLimits)
+TEST (NeighborhoodSize, GrowsWithTheNumberOfPointsWithinLimits)
 {
   constexpr double usual_factor = 1.0;
   EXPECT_EQ (neighborhoodSize (100, usual_factor), 10u);

@@ -9,10 +9,10 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-constexpr double noise_of_waves = 4_mm;
+constexpr double noise_of_waves = 4_mm; // of each place and of the region
 
-/** \brief Number of planes that one region gives: a ground of 20 m x 20 m in waves of
- * this amplitude [m]. */
+/** \brief Number of planes that planesOfRegions makes of one region: a ground of 20 m x
+ * 20 m in waves of this amplitude [m]. */
 std::size_t
 planesOfWaves (double amplitude)
 {
@@ -28,13 +28,14 @@ planesOfWaves (double amplitude)
   std::fill (scene.noise.of_place.begin(),
              scene.noise.of_place.end(),
              static_cast<float> (noise_of_waves));
-  Region all;
+  Region whole_ground;
   for (const Eigen::Vector3d& position : scene.places.position)
-    all.moments.add (position.x(), position.y(), position.z());
-  all.scatter = all.noise = noise_of_waves;
-  all.has_parts = true;
-  all.refit();
-  scene.regions = {{all}, pcl_ops::Labels (scene.places.size(), 0)};
+    whole_ground.moments.add (position.x(), position.y(), position.z());
+  whole_ground.scatter = noise_of_waves;
+  whole_ground.noise = noise_of_waves;
+  whole_ground.has_parts = true;
+  whole_ground.refit();
+  scene.regions = {{whole_ground}, pcl_ops::Labels (scene.places.size(), 0)};
   const std::vector<char> is_plane = {1};
   return planesOfRegions (points,
                           scene.distinct,

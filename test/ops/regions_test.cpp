@@ -13,7 +13,8 @@ using pcl_ops::no_plane;
 
 namespace {
 
-// Squares of 2 m x 2 m as square_of_ground.
+// Squares of 2 m x 2 m, as square_of_ground is one. The wall stands on an edge of the
+// ground; the gap is 1 m wide.
 const Surface wall_on_ground = {{0, 0, 0}, {2, 0, 0}, {0, 0, 2}};
 const Surface ground_beyond_gap = {{3, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 
@@ -22,16 +23,17 @@ constexpr std::size_t points_of_square = 10'000;
 /** \brief The size of a region may differ by this many points, e.g. where it takes some
  * of a wall that it meets. */
 constexpr std::size_t points_at_rim = 500;
-constexpr std::size_t most_of_one_square = points_of_square + points_at_rim;
-constexpr std::size_t least_of_two_squares = 2 * points_of_square - points_at_rim;
+constexpr std::size_t max_points_of_one_square = points_of_square + points_at_rim;
+constexpr std::size_t min_points_of_two_squares = 2 * points_of_square - points_at_rim;
 
-/** \brief More points than one of these squares has with a spacing of 3 cm. */
-constexpr std::size_t most_of_one_sparse_square = 5'000;
+/** \brief With a spacing of 3 cm one square has 4,444 points, and two have 8,889. */
+constexpr std::size_t max_points_of_one_sparse_square = 5'000;
 
-const pcl_ops::MergingParameters usual_joins;
+/** \brief For joinOverGaps: its default limits. */
+const pcl_ops::MergingParameters default_joins;
 
-/** \brief A road of 4 m x 4 m that rises to its middle by a height [m]: 17,778 points
- * with a noise of 2 mm. */
+/** \brief A road of 4 m x 4 m that rises from both sides to its middle by a height [m]:
+ * 17,778 points with a noise of 2 mm. */
 PlaceScene
 crownedRoad (double height)
 {
@@ -40,7 +42,8 @@ crownedRoad (double height)
   return PlaceScene (drawnOn ({left, right}, 3_cm, 2_mm));
 }
 
-constexpr double slight_crown = 3.5e-2; // [m]
+constexpr double slight_crown = 3.5e-2;   // [m]; a slope of 1 degree
+constexpr double crown_of_a_roof = 17e-2; // [m]; a slope of 5 degrees
 
 /** \brief A ground whose points are two regions, left and right of x = 0.9 m. The right
  * one is larger. */
@@ -64,7 +67,7 @@ groundInTwo ()
   return scene;
 }
 
-/** \brief For each region 1 if it is a plane, else 0. */
+/** \brief For each region 1 if the evidence says that it is a plane, else 0. */
 std::vector<char>
 arePlanes (const PlaceScene& scene)
 {
@@ -78,7 +81,8 @@ arePlanes (const PlaceScene& scene)
 }
 
 /** \brief The label of each place: the index of its region, or no_plane.
- * \param[in] is_plane for each region, whether it is a plane */
+ * \param[in] is_plane for each region, whether it is a plane
+ * \param[in] distance_threshold largest distance of a place to its plane [m] */
 Labels
 labelsOf (const PlaceScene& scene,
           const std::vector<char>& is_plane,
@@ -94,8 +98,8 @@ labelsOf (const PlaceScene& scene,
 
 /** \brief For \ref labelsOf and the two regions of \ref groundInTwo: which are planes.
  */
-const std::vector<char> both = {1, 1};
-const std::vector<char> the_right_one = {0, 1};
+const std::vector<char> both_are_planes = {1, 1};
+const std::vector<char> right_is_plane = {0, 1};
 
 } // namespace
 
@@ -104,18 +108,20 @@ TEST (GrowRegions, GrowToTheEdgeOfTwoWalls)
   const Coordinates points = drawnOn ({square_of_ground, wall_on_ground}, 2_cm, 2_mm);
   const std::vector<std::size_t> sizes = PlaceScene (points).sizes();
   ASSERT_GE (sizes.size(), 2u);
-  for (int wall = 0; wall < 2; ++wall)
-    EXPECT_NEAR (static_cast<double> (sizes[wall]), points_of_square, 300.0);
+  for (int region = 0; region < 2; ++region)
+    EXPECT_NEAR (static_cast<double> (sizes[region]), points_of_square, 300.0);
 }
 
 TEST (GrowRegions, EndAtAGivenDistance)
 {
-  // Half a centimeter more than the threshold: the plane may tilt while it grows.
+  constexpr double threshold = 1_cm;
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 1_cm));
-  const Regions regions = growRegions (scene.places, scene.noise, scene.chosen, 1_cm);
+  const Regions regions =
+      growRegions (scene.places, scene.noise, scene.chosen, threshold);
   for (std::size_t i = 0; i < scene.places.size(); ++i)
     if (regions.of_place[i] == 0) {
-      ASSERT_LT (std::abs (scene.places.position[i].z()), 1.5e-2);
+      ASSERT_LT (std::abs (scene.places.position[i].z()), threshold + 5_mm)
+          << "the plane may tilt while it grows";
     }
 }
 
@@ -132,16 +138,17 @@ TEST (JoinTouching, LeavesWallsThatMeetAlone)
 {
   PlaceScene scene (drawnOn ({square_of_ground, wall_on_ground}, 2_cm, 2_mm));
   joinTouching (scene.places, one_thread, scene.regions);
-  EXPECT_LT (scene.sizes().at (0), most_of_one_square);
+  EXPECT_LT (scene.sizes().at (0), max_points_of_one_square);
 }
 
 TEST (JoinTouching, MakesOneOfARoadThatLeansToBothSidesButNotOfARoof)
 {
-  for (const double height : {slight_crown, 17e-2}) {
+  for (const double height : {slight_crown, crown_of_a_roof}) {
     PlaceScene scene = crownedRoad (height);
-    ASSERT_LT (scene.sizes().at (0), 16000u) << height << " m: not all of it";
+    ASSERT_LT (scene.sizes().at (0), 16'000u) << height << " m: not yet one region";
     joinTouching (scene.places, one_thread, scene.regions);
-    const bool is_one_region = scene.sizes().at (0) > 17000u;
+    constexpr std::size_t nearly_all = 17'000; // of 17,778 points
+    const bool is_one_region = scene.sizes().at (0) > nearly_all;
     EXPECT_EQ (is_one_region, height == slight_crown) << height;
   }
 }
@@ -151,23 +158,23 @@ TEST (JoinTouching, LeavesAStepOfTenNoises)
   const Surface higher = {{2, 0, 2_cm}, {2, 0, 0}, {0, 2, 0}};
   PlaceScene scene (drawnOn ({square_of_ground, higher}, 2_cm, 2_mm));
   joinTouching (scene.places, one_thread, scene.regions);
-  EXPECT_LT (scene.sizes().at (0), most_of_one_square);
+  EXPECT_LT (scene.sizes().at (0), max_points_of_one_square);
 }
 
 TEST (JoinOverGaps, MakesOneOfExactGroundsThatContinueEachOther)
 {
   PlaceScene scene (drawnOn ({square_of_ground, ground_beyond_gap}, 2_cm, 0.0));
-  joinOverGaps (usual_joins, scene.regions);
-  EXPECT_GT (scene.sizes().at (0), least_of_two_squares);
+  joinOverGaps (default_joins, scene.regions);
+  EXPECT_GT (scene.sizes().at (0), min_points_of_two_squares);
 }
 
 TEST (JoinOverGaps, MakesOneOfGroundsThatContinueEachOther)
 {
   PlaceScene scene (drawnOn ({square_of_ground, ground_beyond_gap}, 2_cm, 2_mm));
   joinTouching (scene.places, one_thread, scene.regions);
-  ASSERT_LT (scene.sizes().at (0), most_of_one_square);
-  joinOverGaps (usual_joins, scene.regions);
-  EXPECT_GT (scene.sizes().at (0), least_of_two_squares);
+  ASSERT_LT (scene.sizes().at (0), max_points_of_one_square);
+  joinOverGaps (default_joins, scene.regions);
+  EXPECT_GT (scene.sizes().at (0), min_points_of_two_squares);
 }
 
 TEST (JoinOverGaps, LeavesAStepThatNoiseDoesNotExplain)
@@ -176,8 +183,8 @@ TEST (JoinOverGaps, LeavesAStepThatNoiseDoesNotExplain)
   step.corner.z() = 3_cm;
   PlaceScene scene (drawnOn ({square_of_ground, step}, 2_cm, 2_mm));
   joinTouching (scene.places, one_thread, scene.regions);
-  joinOverGaps (usual_joins, scene.regions);
-  EXPECT_LT (scene.sizes().at (0), most_of_one_square);
+  joinOverGaps (default_joins, scene.regions);
+  EXPECT_LT (scene.sizes().at (0), max_points_of_one_square);
 }
 
 TEST (JoinOverGaps, LeavesGroundsThatAreTwiceAsFarApartAsTheyAreLong)
@@ -187,28 +194,28 @@ TEST (JoinOverGaps, LeavesGroundsThatAreTwiceAsFarApartAsTheyAreLong)
     const Surface beyond = {{2.0 + gap, 0, 0}, {2, 0, 0}, {0, 2, 0}};
     PlaceScene scene (drawnOn ({square_of_ground, beyond}, 3_cm, 2_mm));
     joinTouching (scene.places, one_thread, scene.regions);
-    joinOverGaps (usual_joins, scene.regions);
-    const bool is_one_region = scene.sizes().at (0) > most_of_one_sparse_square;
+    joinOverGaps (default_joins, scene.regions);
+    const bool is_one_region = scene.sizes().at (0) > max_points_of_one_sparse_square;
     EXPECT_EQ (is_one_region, gap < 2.0) << gap;
   }
 }
 
 TEST (JoinOverGaps, LeavesAStepOfThreeNoises)
 {
-  for (const double step : {2_mm, 6_mm}) {
+  for (const double step : {2_mm, 6_mm}) { // one noise, and three
     Surface beyond = ground_beyond_gap;
     beyond.corner.z() = step;
     PlaceScene scene (drawnOn ({square_of_ground, beyond}, 3_cm, 2_mm));
     joinTouching (scene.places, one_thread, scene.regions);
-    joinOverGaps (usual_joins, scene.regions);
-    const bool is_one_region = scene.sizes().at (0) > most_of_one_sparse_square;
+    joinOverGaps (default_joins, scene.regions);
+    const bool is_one_region = scene.sizes().at (0) > max_points_of_one_sparse_square;
     EXPECT_EQ (is_one_region, step < 4_mm) << step;
   }
 }
 
 TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
 {
-  Surface beyond = ground_beyond_gap; // leans by 0.2 degrees about its middle
+  Surface beyond = ground_beyond_gap; // turned by 0.2 degrees about its middle
   beyond.first.z() = 2.0 * std::tan (0.2_deg);
   beyond.corner.z() = -std::tan (0.2_deg);
   for (const double max_angle : {0.1 * 1_deg, 1.0 * 1_deg}) {
@@ -217,7 +224,7 @@ TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
     pcl_ops::MergingParameters merging;
     merging.angle_threshold = max_angle;
     joinOverGaps (merging, scene.regions);
-    const bool is_one_region = scene.sizes().at (0) > 12000u;
+    const bool is_one_region = scene.sizes().at (0) > points_of_square * 6 / 5;
     EXPECT_EQ (is_one_region, max_angle > 0.2_deg) << max_angle;
   }
 }
@@ -228,37 +235,37 @@ TEST (RegionEvidence, IsForAPlaneAndAgainstFacetsOfABall)
   const std::vector<char> is_plane_of_ground = arePlanes (ground);
   ASSERT_FALSE (is_plane_of_ground.empty());
   EXPECT_EQ (is_plane_of_ground[0], 1);
-  Coordinates ball;
+  Coordinates ball; // with a radius of 1 m and a noise of 1 mm
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 20000; ++i) {
-    const Eigen::Vector3d point = (1.0 + 1_mm * drawGaussian (generator)) *
-                                  drawGaussians (generator).normalized();
-    const pcl::PointXYZ p = toPoint (point);
-    ball.add (p.x, p.y, p.z);
+    const Eigen::Vector3d position = (1.0 + 1_mm * drawGaussian (generator)) *
+                                     drawGaussians (generator).normalized();
+    const pcl::PointXYZ point = toPoint (position);
+    ball.add (point.x, point.y, point.z);
   }
   const PlaceScene facets (ball);
   const std::vector<char> is_plane_of_ball = arePlanes (facets);
   EXPECT_EQ (std::count (is_plane_of_ball.begin(), is_plane_of_ball.end(), 1), 0);
 }
 
-TEST (RegionEvidence, AddsUpWhatSpeaksForAndAgainst)
+TEST (RegionEvidence, GrowsWithSizeAndOpenBorderAndShrinksWithBendAndSmoothBorder)
 {
   RegionEvidence evidence;
   evidence.size = 1.0;
-  const double usual = evidence.sum();
-  EXPECT_GT (usual, 0.0);
+  const double sum = evidence.sum();
+  EXPECT_GT (sum, 0.0);
   RegionEvidence bent = evidence;
   bent.bend = 2.0;
-  EXPECT_LT (bent.sum(), usual);
-  RegionEvidence goes_on = evidence;
-  goes_on.smooth_border = 0.5;
-  EXPECT_LT (goes_on.sum(), usual);
-  RegionEvidence ends = evidence;
-  ends.open_border = 0.5;
-  EXPECT_GT (ends.sum(), usual);
+  EXPECT_LT (bent.sum(), sum);
+  RegionEvidence continued = evidence;
+  continued.smooth_border = 0.5;
+  EXPECT_LT (continued.sum(), sum);
+  RegionEvidence ending = evidence;
+  ending.open_border = 0.5;
+  EXPECT_GT (ending.sum(), sum);
   RegionEvidence small = evidence;
   small.size = 0.0;
-  EXPECT_LT (small.sum(), usual);
+  EXPECT_LT (small.sum(), sum);
 }
 
 TEST (LabelPlaces, GivesARoadThatLeansToBothSidesItsEdges)
@@ -266,13 +273,13 @@ TEST (LabelPlaces, GivesARoadThatLeansToBothSidesItsEdges)
   PlaceScene scene = crownedRoad (slight_crown);
   joinTouching (scene.places, one_thread, scene.regions);
   const Labels labels = labelsOf (scene, arePlanes (scene));
-  EXPECT_LT (std::count (labels.begin(), labels.end(), no_plane), 200);
+  EXPECT_LT (std::count (labels.begin(), labels.end(), no_plane), 200) << "of 17,778";
 }
 
 TEST (LabelPlaces, GivesEachPlaceToTheLikeliestPlane)
 {
   PlaceScene scene = groundInTwo();
-  const Labels labels = labelsOf (scene, both);
+  const Labels labels = labelsOf (scene, both_are_planes);
   std::size_t labelled = 0;
   for (const std::int32_t label : labels)
     labelled += label != no_plane;
@@ -282,7 +289,7 @@ TEST (LabelPlaces, GivesEachPlaceToTheLikeliestPlane)
 TEST (LabelPlaces, GivesNoneToWhatIsNoPlane)
 {
   PlaceScene scene = groundInTwo();
-  const Labels labels = labelsOf (scene, the_right_one);
+  const Labels labels = labelsOf (scene, right_is_plane);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (scene.places.position[i].x() < 0.5) {
       ASSERT_EQ (labels[i], no_plane);
@@ -292,9 +299,10 @@ TEST (LabelPlaces, GivesNoneToWhatIsNoPlane)
 TEST (LabelPlaces, KeepsAGivenDistance)
 {
   PlaceScene scene = groundInTwo();
-  const Labels labels = labelsOf (scene, both, 1_mm);
+  const Labels labels = labelsOf (scene, both_are_planes, 1_mm);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] != no_plane) {
-      ASSERT_LT (std::abs (scene.places.position[i].z()), 1.2e-3);
+      ASSERT_LT (std::abs (scene.places.position[i].z()), 1.2e-3)
+          << "1 mm and a little tilt";
     }
 }

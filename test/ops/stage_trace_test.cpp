@@ -16,12 +16,12 @@ namespace {
 
 using TracedParameters = pcl_ops::OrientedPointSamplingParameters;
 
-/** \brief The y coordinate of a point without a reading. */
+/** \brief The y coordinate of a point whose reading is missing. */
 constexpr float not_read = std::numeric_limits<float>::quiet_NaN();
 
-/** \brief A floor and a wall, and behind their points a copy of every second one: two
- * thirds of the cloud are no copies. Every tenth original, and so every fifth copy, has
- * no reading. */
+/** \brief The points of a floor and of a wall, and then a copy of every second of them,
+ * so that the last third of the cloud are copies. The reading of every tenth original,
+ * and so of every fifth copy, is missing. */
 Cloud
 floorAndWallWithCopies ()
 {
@@ -40,11 +40,13 @@ floorAndWallWithCopies ()
   return cloud;
 }
 
+/** \brief The planes of a detection, and what it reported after each stage. */
 struct Trace {
   std::vector<PlaneSegment> planes;
   std::vector<StageResult> stages;
 };
 
+/** \brief Detects planes and keeps what is reported after each stage. */
 Trace
 traceOf (const Cloud& cloud, TracedParameters parameters = {})
 {
@@ -54,12 +56,14 @@ traceOf (const Cloud& cloud, TracedParameters parameters = {})
   return trace;
 }
 
+/** \brief The result of a stage in a trace that has all stages. */
 const StageResult&
 resultOf (Stage stage, const Trace& trace)
 {
   return trace.stages.at (static_cast<std::size_t> (stage));
 }
 
+/** \brief Whether the reading of a point is not missing. */
 bool
 isRead (const pcl::PointXYZ& point)
 {
@@ -105,7 +109,7 @@ TEST (StageTrace, SaysTheSameOfEqualPoints)
   ASSERT_EQ (cloud[first_copy + 1].x, cloud[2].x);
   for (const StageResult& result : traceOf (cloud).stages)
     for (std::size_t i = first_copy; i < cloud.size(); ++i) {
-      const std::size_t original = 2 * (i - first_copy);
+      const std::size_t original = 2 * (i - first_copy); // of copy i
       if (!result.labels.empty()) {
         ASSERT_EQ (result.labels[i], result.labels[original]) << i;
       }
@@ -117,7 +121,7 @@ TEST (StageTrace, SaysTheSameOfEqualPoints)
 
 TEST (StageTrace, EndsWithTheLabelsOfTheResult)
 {
-  // Of the two planes one has fewer than 6000 points.
+  // The wall has fewer than 6000 points, the floor more.
   TracedParameters parameters;
   for (const std::size_t min_points : {0, 6000}) {
     parameters.min_points = min_points;
@@ -134,21 +138,22 @@ TEST (StageTrace, EndsWithTheLabelsOfTheResult)
 
 TEST (StageTrace, HasDensitiesAndNoisesOfTheCloud)
 {
-  const auto medianAt = [] (Stage stage, double spacing, double noise) {
+  // The median of the values after a stage, for a floor of this spacing and noise [m].
+  const auto medianAfter = [] (Stage stage, double spacing, double noise) {
     const auto cloud =
         Scene().floor (2, 2).spacing (spacing).noise (noise).build().cloud;
     std::vector<float> values = resultOf (stage, traceOf (*cloud)).values;
     std::nth_element (values.begin(), values.begin() + values.size() / 2, values.end());
     return static_cast<double> (values[values.size() / 2]);
   };
-  // Half the spacing is four times the density, but for the ragged rims of
-  // neighborhoods.
-  EXPECT_NEAR (medianAt (Stage::Density, 0.02, 0.003) /
-                   medianAt (Stage::Density, 0.04, 0.003),
+  // Half the spacing is four times the density, roughly: neighborhoods have no sharp
+  // rim.
+  EXPECT_NEAR (medianAfter (Stage::Density, 0.02, 0.003) /
+                   medianAfter (Stage::Density, 0.04, 0.003),
                4.0,
                0.7);
-  EXPECT_NEAR (medianAt (Stage::Noise, 0.03, 0.003), 0.003, 0.0005);
-  EXPECT_NEAR (medianAt (Stage::Noise, 0.03, 0.006), 0.006, 0.001);
+  EXPECT_NEAR (medianAfter (Stage::Noise, 0.03, 0.003), 0.003, 0.0005);
+  EXPECT_NEAR (medianAfter (Stage::Noise, 0.03, 0.006), 0.006, 0.001);
 }
 
 TEST (StageTrace, KeepsOfTheJoinedRegionsThoseThatArePlanes)

@@ -8,10 +8,11 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Near sqrt (2): the middle of the octave of densities from 1 to 2. */
+/** \brief Near sqrt (2): the middle of the octave of densities from 1 to 2 [1/m^2]. */
 constexpr float mid_octave = 1.4f;
 
-/** \brief The statistics of places with these densities [1/m^2] and noises [m]. */
+/** \brief The statistics of the noise of places with these densities [1/m^2] and noises
+ * [m]. */
 pcl_ops::CloudNoise
 statisticsOf (const std::vector<float>& density, const std::vector<float>& noise)
 {
@@ -32,7 +33,7 @@ TEST (QuantileOf, IsTheValueBelowWhichAShareLies)
   EXPECT_EQ (quantileOf (values, 0.5), 0.0f);
 }
 
-TEST (UsualNoise, IsTheMedianWherePointsAreAsDense)
+TEST (UsualNoise, IsTheMedianOverPlacesOfTheSameDensity)
 {
   // Densities in two octaves that are far apart.
   const pcl_ops::CloudNoise usual = statisticsOf (
@@ -43,6 +44,7 @@ TEST (UsualNoise, IsTheMedianWherePointsAreAsDense)
 
 TEST (UsualNoise, ChangesLittleWithTheDensity)
 {
+  // Densities from 1 to 256; the noise is 1 m below 16 and 2 m above.
   std::vector<float> density;
   std::vector<float> noise;
   for (int octave = 0; octave < 8; ++octave) {
@@ -50,11 +52,11 @@ TEST (UsualNoise, ChangesLittleWithTheDensity)
     noise.push_back (octave < 4 ? 1.0f : 2.0f);
   }
   const pcl_ops::CloudNoise usual = statisticsOf (density, noise);
-  for (double at = 1.0; at < 300.0; at *= 1.01)
-    EXPECT_NEAR (usualNoise (usual, 1.01 * at),
-                 usualNoise (usual, at),
-                 0.03 * usualNoise (usual, at))
-        << at;
+  for (double other_density = 1.0; other_density < 300.0; other_density *= 1.01)
+    EXPECT_NEAR (usualNoise (usual, 1.01 * other_density),
+                 usualNoise (usual, other_density),
+                 0.03 * usualNoise (usual, other_density))
+        << other_density;
   EXPECT_LT (usualNoise (usual, 4.0), usualNoise (usual, 100.0));
 }
 
@@ -72,7 +74,7 @@ TEST (UsualNoise, IsNoneOfNoPlaces)
   EXPECT_EQ (usualNoise (statisticsOf ({}, {}), 1.0), 0.0);
 }
 
-TEST (UsualNoise, IsKnownAtAnyDensity)
+TEST (UsualNoise, IsThatOfTheCloudAtADensityWithoutPlaces)
 {
   const pcl_ops::CloudNoise usual = statisticsOf ({0.0f, mid_octave}, {1.0f, 1.0f});
   EXPECT_NEAR (usualNoise (usual, 0.0), 1.0, 1e-6);

@@ -26,11 +26,15 @@ fspfOn (const Cloud::ConstPtr& cloud)
 
 } // namespace
 
-TEST (Fspf, FindsEverySurfaceAsInThePaperAndFromTheTestedPointsAlone)
+TEST (Fspf,
+      FindsEverySurfaceWithTheParametersOfThePaperAndWithInliersAmongTestedPointsAlone)
 {
   const LabelledScene scene = denseRoom().build();
-  FspfParameters paper = FspfParameters::paper(), tested_points_alone;
-  paper.seed = 1; // one seed in six finds a plane across an edge, too
+  FspfParameters paper = FspfParameters::paper();
+  // With the parameters of the paper one seed in six finds a fourth plane, which cuts
+  // the edge of two surfaces. This seed finds none.
+  paper.seed = 1;
+  FspfParameters tested_points_alone;
   tested_points_alone.local.inliers = FspfParameters::Local::Inliers::Samples;
   for (const FspfParameters& parameters : {paper, tested_points_alone}) {
     Fspf fspf = fspfOn (scene.cloud);
@@ -39,14 +43,14 @@ TEST (Fspf, FindsEverySurfaceAsInThePaperAndFromTheTestedPointsAlone)
   }
 }
 
-TEST (Fspf, MergesHundredsOfPlanesIntoTheFewThereAre)
+TEST (Fspf, MergesHundredsOfPlanesIntoTheThreeOfTheRoom)
 {
   Fspf fspf = fspfOn (denseRoom().build().cloud);
   EXPECT_EQ (planesOf (fspf).size(), 3u);
   EXPECT_GT (fspf.getNumberOfPlanesBeforeMerging(), 300u);
 }
 
-TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
+TEST (Fspf, LeavesNoTwoPlanesThatAreCoplanar)
 {
   // With 3 cm of noise some planes are coplanar only after points were assigned to
   // them.
@@ -57,13 +61,14 @@ TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_FALSE (pcl_ops::detail::areCoplanar (
-          *fitPlane (planes[i].moments), *fitPlane (planes[j].moments), 7_deg, 5_cm));
+          *fitPlane (planes[i].moments), *fitPlane (planes[j].moments), 7_deg, 5_cm))
+          << "at the default thresholds of merging";
 }
 
-TEST (Fspf, AssignsThePointsOfNoSphere)
+TEST (Fspf, AssignsPointsThatAreInNoSphereOfAPlane)
 {
-  // A row of points 1 m apart, too far for a sphere of their own, extends a dense
-  // floor.
+  // A row of points 1 m apart extends a dense floor. Their spheres, of 20 cm, hold no
+  // other point.
   auto scene = Scene().floor (1, 1).spacing (1_cm).build();
   const auto dense_points = static_cast<pcl::index_t> (scene.cloud->size());
   constexpr int sparse_points = 5;
@@ -75,43 +80,47 @@ TEST (Fspf, AssignsThePointsOfNoSphere)
   EXPECT_EQ (inliers[0].back(), dense_points + sparse_points - 1);
 }
 
-TEST (Seed, GivesOtherPlanes)
+TEST (Fspf, GivesOtherPlanesForAnotherSeed)
 {
   Fspf fspf = fspfOn (denseRoom().noise (2_cm).build().cloud);
-  const auto first = inliersOf (fspf);
+  const std::vector<pcl::Indices> with_default_seed = inliersOf (fspf);
   fspf.setSeed (7);
-  EXPECT_NE (inliersOf (fspf), first);
+  EXPECT_NE (inliersOf (fspf), with_default_seed);
 }
 
-TEST (SearchMethod, OfTheUserFindsEverySurface)
+TEST (Fspf, FindsEverySurfaceWithAnySearchMethodOfTheUser)
 {
   using Point = pcl::PointXYZ;
+  constexpr bool unsorted = false;
+  constexpr double octree_resolution = 10_cm;
   const auto scene = room().spacing (3_cm).build();
-  scene.cloud->at (0).x = NAN;
+  scene.cloud->at (0).x = NAN; // the search must not get this point
   for (const Fspf::SearchPtr& search :
        {Fspf::SearchPtr (new pcl::search::KdTree<Point>),
-        Fspf::SearchPtr (new pcl::search::KdTree<Point> (false)),
-        Fspf::SearchPtr (new pcl::search::Octree<Point> (0.1)),
+        Fspf::SearchPtr (new pcl::search::KdTree<Point> (unsorted)),
+        Fspf::SearchPtr (new pcl::search::Octree<Point> (octree_resolution)),
         Fspf::SearchPtr (new pcl::search::BruteForce<Point>)}) {
     Fspf fspf = fspfOn (scene.cloud);
     fspf.setSearchMethod (search);
-    const auto planes = inliersOf (fspf);
+    const std::vector<pcl::Indices> planes = inliersOf (fspf);
     EXPECT_EQ (planes.size(), 3u);
-    EXPECT_EQ (inliersOf (fspf), planes) << "again";
+    EXPECT_EQ (inliersOf (fspf), planes) << "in a second call";
   }
 }
 
-TEST (Degenerate, PointsFarApartHaveNoPlane)
+TEST (Fspf, FindsNoPlaneOfPointsWithoutNeighborsInTheirSpheres)
 {
+  // Rows of 30 points, 1 m apart, on the plane z = 0.
   Fspf fspf = fspfOn (cloudOf (1000, [] (float i) {
     return pcl::PointXYZ (std::fmod (i, 30.0f), std::floor (i / 30), 0);
   }));
   EXPECT_TRUE (planesOf (fspf).empty());
 }
 
-TEST (Degenerate, RadiiTooLargeForTheThresholdEndInTime)
+TEST (Fspf, EndsInSecondsWhereSpheresHoldManyPointsAndNoPlane)
 {
-  // A ball seen as 20,000 points, all in every sphere, none on a plane of a millimeter.
+  // A spherical surface with a radius of 5 cm: a sphere around any of its 20,000 points
+  // holds them all, and no plane is within a millimeter of most of them.
   RandomGenerator generator (seedOfTest());
   Fspf fspf = fspfOn (cloudOf (20000, [&] (float) {
     return toPoint (5_cm * drawGaussians (generator).normalized());

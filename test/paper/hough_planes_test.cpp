@@ -10,20 +10,23 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
-constexpr double cluster_threshold = 5_cm; // theta_h
+constexpr double theta_h = 5_cm;
+
+// Number of points along each edge of a surface.
+constexpr int steps_of_bottom_and_wall = 100;
+constexpr int steps_of_shelf = 20;
 
 const Surface bottom{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
 const Surface wall{{0.0, 0.0, 0.1}, {0.0, 2.0, 0.0}, {0.0, 0.0, 1.9}};
-/** \brief Has 20 x 20 of the 20,400 points of the corner. */
 const Surface shelf{{1.5, 0.5, 1.0}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}};
 
-/** \brief Clusters of a corner: bottom, wall and shelf.
- * \param[in] max_offset of points along the normal, as in \ref addGrid [m] */
+/** \brief Clusters of a corner of bottom, wall and shelf.
+ * \param[in] max_offset largest distance of a point from its surface [m] */
 OctreeClusters
 clustersOfCorner (double max_offset)
 {
-  Coordinates points = gridsOf ({bottom, wall}, 100, max_offset);
-  addGrid (points, shelf, 20, max_offset);
+  Coordinates points = gridsOf ({bottom, wall}, steps_of_bottom_and_wall, max_offset);
+  addGrid (points, shelf, steps_of_shelf, max_offset);
   OctreeClusterParameters parameters;
   parameters.first_level = 3;
   return findCoplanarClusters (points, parameters);
@@ -33,28 +36,29 @@ clustersOfCorner (double max_offset)
 
 TEST (HoughPlanes, WeighAClusterByItsEdgeAndPoints)
 {
-  OctreeClusters found;
-  found.root.edge = 8.0;
-  found.points.resize (1000);
+  OctreeClusters octree;
+  octree.root.edge = 8.0;
+  octree.points.resize (1000);
   CoplanarCluster cluster;
   cluster.edge = 2.0;
   cluster.end = 100;
   constexpr double share_of_edge = 2.0 / 8.0;
   constexpr double share_of_points = 100.0 / 1000.0;
-  EXPECT_DOUBLE_EQ (clusterWeight (cluster, found),
+  EXPECT_DOUBLE_EQ (clusterWeight (cluster, octree),
                     0.75 * share_of_edge + 0.25 * share_of_points);
 }
 
-TEST (HoughPlanes, ComeByFallingWeight)
+TEST (HoughPlanes, AreOrderedByFallingWeight)
 {
   constexpr int phi_num = 45, rho_num = 200;
-  const OctreeClusters found = clustersOfCorner (1_mm);
+  const OctreeClusters octree = clustersOfCorner (1_mm);
   double previous_weight = INFINITY;
-  for (const HoughPlane& plane : voteForPlanes (found, phi_num, rho_num)) {
+  for (const HoughPlane& plane : voteForPlanes (octree, phi_num, rho_num)) {
     double weight = 0.0;
     for (const std::uint32_t cluster : plane.clusters)
-      weight += clusterWeight (found.clusters[cluster], found);
-    EXPECT_LE (weight, previous_weight + 1e-12);
+      weight += clusterWeight (octree.clusters[cluster], octree);
+    constexpr double rounding = 1e-12;
+    EXPECT_LE (weight, previous_weight + rounding);
     previous_weight = weight;
   }
 }
@@ -62,27 +66,31 @@ TEST (HoughPlanes, ComeByFallingWeight)
 TEST (HoughPlanes, ShareNoClusterWhenRefitted)
 {
   constexpr int phi_num = 30, rho_num = 100;
-  const OctreeClusters found = clustersOfCorner (1_cm);
-  std::vector<HoughPlane> voted = voteForPlanes (found, phi_num, rho_num);
+  const OctreeClusters octree = clustersOfCorner (1_cm);
+  std::vector<HoughPlane> voted = voteForPlanes (octree, phi_num, rho_num);
+  // Each plane twice, as if each surface had two peaks.
   for (std::size_t i = 0, size = voted.size(); i < size; ++i)
-    voted.push_back (HoughPlane (voted[i])); // as if two peaks were of one surface
+    voted.push_back (HoughPlane (voted[i]));
   constexpr double no_min_share = 0.0;
-  std::set<std::uint32_t> taken;
-  for (const HoughPlane& plane :
-       refitPlanes (voted, found, no_min_share, cluster_threshold))
+  std::set<std::uint32_t> taken_clusters;
+  for (const HoughPlane& plane : refitPlanes (voted, octree, no_min_share, theta_h))
     for (const std::uint32_t cluster : plane.clusters)
-      EXPECT_TRUE (taken.insert (cluster).second);
+      EXPECT_TRUE (taken_clusters.insert (cluster).second);
 }
 
-TEST (HoughPlanes, AreDroppedBelowTheSmallestShare)
+TEST (HoughPlanes, AreDroppedBelowTheMinimumShareOfPoints)
 {
   constexpr int phi_num = 30, rho_num = 100;
-  const OctreeClusters found = clustersOfCorner (1_mm);
-  const std::vector<HoughPlane> voted = voteForPlanes (found, phi_num, rho_num);
-  constexpr double share_of_shelf = 400.0 / 20400.0;
+  const OctreeClusters octree = clustersOfCorner (1_mm);
+  const std::vector<HoughPlane> voted = voteForPlanes (octree, phi_num, rho_num);
+  constexpr double points_of_shelf = steps_of_shelf * steps_of_shelf;
+  constexpr double points_of_others =
+      2.0 * steps_of_bottom_and_wall * steps_of_bottom_and_wall;
+  constexpr double share_of_shelf =
+      points_of_shelf / (points_of_others + points_of_shelf);
   for (const double min_share : {0.5 * share_of_shelf, 2.0 * share_of_shelf}) {
     const std::vector<HoughPlane> planes =
-        refitPlanes (voted, found, min_share, cluster_threshold);
+        refitPlanes (voted, octree, min_share, theta_h);
     const auto isShelf = [] (const HoughPlane& plane) {
       return isNear (plane.plane, shelf, 1_deg, 1_cm);
     };

@@ -14,12 +14,14 @@ using namespace pcl_ops::internal;
 using Detector = KernelHoughTransform<pcl::PointXYZ>;
 using KhtParameters = KernelHoughTransformParameters;
 
-/** The six faces of a turned box of 2 m x 3 m x 1.5 m. */
+/** The six faces of a box of 2 m x 3 m x 1.5 m that is parallel to no axis.
+ * \param[in] noise standard deviation of the points along their face's normal [m] */
 LabelledScene
-box (double noise = 0.0)
+turnedBox (double noise = 0.0)
 {
+  constexpr double angle = 0.4; // [rad]
   const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd (0.4, Eigen::Vector3d (1, 2, 3).normalized())
+      Eigen::AngleAxisd (angle, Eigen::Vector3d (1, 2, 3).normalized())
           .toRotationMatrix();
   const Eigen::Vector3d x = 2_m * turn.col (0), y = 3_m * turn.col (1),
                         z = 1.5_m * turn.col (2);
@@ -37,15 +39,16 @@ box (double noise = 0.0)
 }
 
 std::vector<PlaneSegment>
-planesOf (const LabelledScene& scene, const KhtParameters& parameters)
+detectPlanes (const LabelledScene& scene, const KhtParameters& parameters)
 {
   Detector kht;
   kht.setInputCloud (scene.cloud);
   kht.setParameters (parameters);
-  return ::planesOf (kht);
+  return planesOf (kht);
 }
 
-/** Index of the surface that a plane is near, or -1. */
+/** Index of the first surface of the scene that is near the plane, or -1.
+ * \param[in] max_angle, max_distance as in \ref isNear [rad], [m] */
 int
 surfaceOf (const PlaneSegment& plane,
            const LabelledScene& scene,
@@ -58,10 +61,11 @@ surfaceOf (const PlaneSegment& plane,
   return -1;
 }
 
-/** The parameters of the paper with an accumulator of phi_num rows and rho_num bins of
- * rho, and with nodes from level 3 on, as the box is small. */
+/** The parameters of the paper, with phi_num steps from pole to pole and rho_num bins
+ * of rho. Clusters begin at level 3: the box has too few points for those of level 5.
+ */
 KhtParameters
-published (int phi_num, int rho_num)
+parametersOfPaper (int phi_num, int rho_num)
 {
   KhtParameters parameters = KhtParameters::paper();
   parameters.phi_num = phi_num;
@@ -72,17 +76,21 @@ published (int phi_num, int rho_num)
 
 } // namespace
 
-TEST (KernelHoughTransform,
-      FindsTheSixFacesOfABoxAtBinCentersWithTheirPointsAsPublished)
+TEST (KernelHoughTransform, FindsTheSixFacesOfABoxAtBinCentersAsInThePaper)
 {
-  const LabelledScene scene = box();
+  const LabelledScene scene = turnedBox();
   for (const auto& [phi_num, rho_num] : {std::pair (30, 300), {80, 800}}) {
     const BallDirections directions (phi_num);
+    const double max_angle = pi / phi_num; // a step of the accumulator
+    // A bin is at most 2 m / rho_num long, as no point of the box is 2 m from its
+    // center; and 2 cm more, as normals are those of bins, too.
+    const double max_distance = 2_m / rho_num + 2_cm;
     std::set<int> faces;
-    std::size_t points = 0;
-    for (const PlaneSegment& plane : planesOf (scene, published (phi_num, rho_num))) {
-      faces.insert (surfaceOf (plane, scene, pi / phi_num, 2_m / rho_num + 2_cm));
-      points += plane.inliers.size();
+    std::size_t points_on_planes = 0;
+    for (const PlaneSegment& plane :
+         detectPlanes (scene, parametersOfPaper (phi_num, rho_num))) {
+      faces.insert (surfaceOf (plane, scene, max_angle, max_distance));
+      points_on_planes += plane.inliers.size();
       double cosine_to_nearest = 0.0;
       for (std::uint32_t d = 0; d < directions.size(); ++d)
         cosine_to_nearest = std::max (
@@ -90,17 +98,17 @@ TEST (KernelHoughTransform,
       EXPECT_GT (cosine_to_nearest, 1.0 - 1e-12) << "the normal is that of a bin";
     }
     for (int face = 0; face < 6; ++face)
-      EXPECT_EQ (faces.count (face), 1u) << "face " << face << ", " << phi_num;
-    EXPECT_GT (points, 95_percent * scene.cloud->size());
+      EXPECT_EQ (faces.count (face), 1u) << "face " << face << ", phi_num " << phi_num;
+    EXPECT_GT (points_on_planes, 95_percent * scene.cloud->size());
   }
 }
 
-TEST (KernelHoughTransform, FindsTheSixFacesOfANoisyBoxExactlyWithTheirPoints)
+TEST (KernelHoughTransform, FindsEachFaceOfANoisyBoxOnceWithNearlyAllOfItsPoints)
 {
-  const LabelledScene scene = box (5_mm);
+  const LabelledScene scene = turnedBox (5_mm);
   std::multiset<int> faces;
   std::size_t points_on_their_face = 0;
-  for (const PlaneSegment& plane : planesOf (scene, KhtParameters())) {
+  for (const PlaneSegment& plane : detectPlanes (scene, KhtParameters())) {
     const int face = surfaceOf (plane, scene, 0.3_deg, 3_mm);
     faces.insert (face);
     for (const pcl::index_t i : plane.inliers)
@@ -110,25 +118,27 @@ TEST (KernelHoughTransform, FindsTheSixFacesOfANoisyBoxExactlyWithTheirPoints)
   EXPECT_GT (points_on_their_face, 97_percent * scene.cloud->size());
 }
 
-TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
+TEST (KernelHoughTransform, CountsPlanesBeforeMerging)
 {
-  const LabelledScene scene = box();
-  for (const KhtParameters& parameters : {KhtParameters(), published (30, 300)}) {
-    KhtParameters merging = parameters;
-    merging.merging.enabled = true;
-    merging.merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
+  const LabelledScene scene = turnedBox();
+  for (const KhtParameters& parameters :
+       {KhtParameters(), parametersOfPaper (30, 300)}) {
+    KhtParameters with_merging = parameters;
+    with_merging.merging.enabled = true;
+    // Top and bottom of the box are 1.5 m apart: they are merged.
+    with_merging.merging.distance_threshold = 1.6_m;
     Detector kht;
     kht.setInputCloud (scene.cloud);
-    kht.setParameters (merging);
-    const std::size_t planes = ::planesOf (kht).size();
+    kht.setParameters (with_merging);
+    const std::size_t planes = planesOf (kht).size();
     EXPECT_LT (planes, kht.getNumberOfPlanesBeforeMerging());
     EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
   }
 }
 
-TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)
+TEST (KernelHoughTransform, LeavesOutAPointOfThePlaneThatIsFarFromItsClusters)
 {
-  // A table, a shelf far away at the same height, and one point of dust between them.
+  // A table and a shelf at the same height, 3 m apart, with a single point in between.
   LabelledScene scene = Scene()
                             .surface ({0, 0, 1}, {1, 0, 0}, {0, 1, 0})
                             .surface ({4, 0, 1}, {1, 0, 0}, {0, 1, 0})
@@ -136,18 +146,18 @@ TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)
                             .spacing (1_cm)
                             .build();
   scene.cloud->push_back ({2.5f, 0.5f, 1.0f});
-  const auto dust = static_cast<pcl::index_t> (scene.cloud->size() - 1);
-  for (const PlaneSegment& plane : planesOf (scene, KhtParameters()))
-    EXPECT_NE (plane.inliers.back(), dust);
+  const auto point_between = static_cast<pcl::index_t> (scene.cloud->size() - 1);
+  for (const PlaneSegment& plane : detectPlanes (scene, KhtParameters()))
+    EXPECT_NE (plane.inliers.back(), point_between);
 }
 
-TEST (KernelHoughTransform, GrowsPlanesOverPlacesWithoutACluster)
+TEST (KernelHoughTransform, GrowsAPlaneOverSparsePointsThatAreInNoCluster)
 {
   LabelledScene scene = Scene().floor (2_m, 2_m).spacing (1_cm).noise (2_mm).build();
-  Scene sparse = Scene().surface ({2, 0, 0}, {1, 0, 0}, {0, 2, 0});
-  *scene.cloud += *sparse.spacing (2_cm).noise (2_mm).build().cloud;
+  Scene sparse_continuation = Scene().surface ({2, 0, 0}, {1, 0, 0}, {0, 2, 0});
+  *scene.cloud += *sparse_continuation.spacing (2_cm).noise (2_mm).build().cloud;
   KhtParameters parameters;
   parameters.clusters.min_samples = 400; // which no node of the sparse part has
-  EXPECT_GT (planesOf (scene, parameters).at (0).inliers.size(),
+  EXPECT_GT (detectPlanes (scene, parameters).at (0).inliers.size(),
              97_percent * scene.cloud->size());
 }

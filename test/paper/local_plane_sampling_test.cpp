@@ -9,7 +9,7 @@ using namespace pcl_ops::internal;
 namespace {
 
 constexpr double theta_h = 5_cm;
-/** No sampling ends at this number of inliers, hypotheses or visits per point. */
+/** A limit of inliers, hypotheses or visits per point that no test reaches. */
 constexpr double no_limit = 1e9;
 
 Coordinates
@@ -21,17 +21,21 @@ pointsAt (const std::vector<Eigen::Vector3f>& positions)
   return points;
 }
 
-/** A hypothesis around the first point; its two other points are any of the others. */
+/** A hypothesis through the first point and two of the others. All points are in the
+ * sphere.
+ * \param[in] inner_radius r1 [m] */
 std::optional<Plane>
-hypothesisAround (const std::vector<Eigen::Vector3f>& positions, double inner_radius)
+hypothesisThroughFirst (const std::vector<Eigen::Vector3f>& positions,
+                        double inner_radius)
 {
   const Coordinates points = pointsAt (positions);
   RandomGenerator generator (seedOfTest());
-  constexpr std::uint32_t center = 0;
-  return drawHypothesis (points, center, upTo (points.size()), inner_radius, generator);
+  constexpr std::uint32_t first = 0;
+  return drawHypothesis (points, first, upTo (points.size()), inner_radius, generator);
 }
 
-/** Adds points all over a square of 4 cm x 4 cm on the plane z = 0. */
+/** Adds points drawn uniformly in a square of 4 cm x 4 cm on the plane z = 0: all are
+ * within r1, 10 cm by default, of each other. */
 void
 addPatch (std::size_t size, Coordinates& points)
 {
@@ -42,7 +46,8 @@ addPatch (std::size_t size, Coordinates& points)
   }
 }
 
-/** Adds points at least 1 m from the patch and from each other, without neighbors. */
+/** Adds points at z = 1 m, 2 m, ..: none is within r1 of another one or of the patch.
+ */
 void
 addLonePoints (std::size_t size, Coordinates& points)
 {
@@ -50,9 +55,10 @@ addLonePoints (std::size_t size, Coordinates& points)
     points.add (0, 0, static_cast<float> (i));
 }
 
-/** Local planes among points that are all in each other's spheres. */
+/** Local planes of spheres that hold all points each, whatever their distance. */
 LocalPlanes
-sample (const Coordinates& points, const LocalSamplingParameters& parameters)
+sampleInSpheresOfAll (const Coordinates& points,
+                      const LocalSamplingParameters& parameters)
 {
   const Indices all = upTo (points.size());
   return sampleLocalPlanes (
@@ -71,34 +77,39 @@ samplePatch (std::size_t size, const LocalSamplingParameters& parameters)
 {
   Coordinates points;
   addPatch (size, points);
-  return sample (points, parameters);
+  return sampleInSpheresOfAll (points, parameters);
 }
 
-/** P (X > k) of X inliers among n samples drawn with repetition. */
+/** The probability of more than min_inliers inliers among samples that are drawn with
+ * replacement: the sum of binomial (samples, i) p^i (1 - p)^(samples - i) over i, with
+ * p = inlier_share. */
 double
-binomialTail (int k, int n, double inlier_share)
+probabilityOfMoreThan (int min_inliers, int samples, double inlier_share)
 {
-  double tail = 0.0;
-  for (int i = k + 1; i <= n; ++i)
-    tail += std::exp (std::lgamma (n + 1.0) - std::lgamma (i + 1.0) -
-                      std::lgamma (n - i + 1.0) + i * std::log (inlier_share) +
-                      (n - i) * std::log1p (-inlier_share));
-  return tail;
+  double probability = 0.0;
+  for (int i = min_inliers + 1; i <= samples; ++i)
+    probability +=
+        std::exp (std::lgamma (samples + 1.0) - std::lgamma (i + 1.0) -
+                  std::lgamma (samples - i + 1.0) + i * std::log (inlier_share) +
+                  (samples - i) * std::log1p (-inlier_share));
+  return probability;
 }
 
+/** The points of the cloud that a detector uses. */
 const pcl::Indices some_indices{0, 2, 4, 6, 7, 8};
 
-/** Some points of a cloud, without a search of the user. */
+/** The points \ref some_indices of a cloud, without a search of the user. */
 DetectorInput
 inputWithoutSearch (const CloudView& cloud = {})
 {
   return {cloud, &some_indices, Eigen::Vector3d::Zero(), nullptr};
 }
 
-/** Fails unless the search finds each point within the radius of every point once, as
- * brute force does. Points so near the sphere that rounding decides do not count. */
+/** Fails unless the sphere around each point holds every point within the radius once
+ * and no other point, as by brute force. Points so near the surface of the sphere that
+ * rounding decides may be in it or not. */
 void
-expectFindsAll (const Coordinates& coordinates, double radius)
+expectSpheresAsByBruteForce (const Coordinates& coordinates, double radius)
 {
   Points points;
   static_cast<Coordinates&> (points) = coordinates;
@@ -107,7 +118,7 @@ expectFindsAll (const Coordinates& coordinates, double radius)
   const auto& [x, y, z] = spheres.points;
   EXPECT_TRUE (
       std::is_permutation (x.begin(), x.end(), points.x.begin(), points.x.end()));
-  Indices sphere{99, 98, 97}; // what is there is replaced
+  Indices sphere{99, 98, 97}; // indices of no points, which find must overwrite
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     spheres.find (i, sphere);
     std::vector<int> times_found (points.size());
@@ -126,118 +137,129 @@ expectFindsAll (const Coordinates& coordinates, double radius)
 
 TEST (DrawHypothesis, IsThePlaneThroughThreePoints)
 {
-  const Plane plane = hypothesisAround ({{1, 2, 3}, {1, 3, 3}, {1, 2, 4}}, 2_m).value();
+  const Plane plane =
+      hypothesisThroughFirst ({{1, 2, 3}, {1, 3, 3}, {1, 2, 4}}, 2_m).value();
   EXPECT_NEAR (std::abs (plane.normal.x()), 1.0, 1e-12);
   EXPECT_NEAR (plane.distance ({1, 7, -5}), 0.0, 1e-12);
 }
 
 TEST (DrawHypothesis, TakesNoPointBeyondTheInnerRadius)
 {
-  const auto points =
+  // The first three points are near each other on the plane z = 0, the last three are
+  // 2 m and more from the first.
+  const Coordinates points =
       pointsAt ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {3, 0, 3}, {0, 4, 1}});
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 100; ++i) {
-    const auto plane =
+    const std::optional<Plane> plane =
         drawHypothesis (points, 0, upTo (points.size()), 1.5_m, generator);
     EXPECT_EQ (std::abs (plane.value().normal.z()), 1.0);
   }
 }
 
-TEST (DrawHypothesis, IsNoneForEqualPointsAndALine)
+TEST (DrawHypothesis, IsNothingWithoutThreePointsThatMakeATriangle)
 {
-  EXPECT_FALSE (hypothesisAround ({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, 1_m));
-  EXPECT_FALSE (hypothesisAround ({{1, 2, 3}, {1, 2, 4}, {1, 2, 4}}, 2_m));
-  EXPECT_FALSE (hypothesisAround ({{1, 2, 3}}, 1_m));
-  EXPECT_FALSE (hypothesisAround ({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {3, 6, 9}}, 99_m));
+  EXPECT_FALSE (hypothesisThroughFirst ({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, 1_m));
+  EXPECT_FALSE (hypothesisThroughFirst ({{1, 2, 3}, {1, 2, 4}, {1, 2, 4}}, 2_m));
+  EXPECT_FALSE (hypothesisThroughFirst ({{1, 2, 3}}, 1_m));
+  EXPECT_FALSE (
+      hypothesisThroughFirst ({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {3, 6, 9}}, 99_m));
 }
 
 TEST (DrawHypothesis, DrawsAgainUntilThePointsMakeATriangle)
 {
+  // Every triangle has the last point, one of 71, as a corner.
   std::vector<Eigen::Vector3f> positions (50, {0, 0, 0});
   positions.insert (positions.end(), 20, {1, 0, 0});
   positions.emplace_back (0, 1, 0);
-  EXPECT_TRUE (hypothesisAround (positions, 2_m));
+  EXPECT_TRUE (hypothesisThroughFirst (positions, 2_m));
 }
 
-TEST (SampleLocalPlanes, AcceptAsManySpheresAsTheShareOfInliersSays)
+TEST (SampleLocalPlanes, AcceptsAsManySpheresAsTheBinomialDistributionOfInliersSays)
 {
-  // A sphere is accepted if its center is on the patch, as a lone point has no
-  // neighbors for a hypothesis, and if more than 64 of 80 tested points are on the
-  // patch, too.
+  // A sphere is accepted if its center is on the patch, as a lone point has no points
+  // within r1 for a hypothesis, and if more than 64 of 80 tested points (alpha_min
+  // N_loc of N_loc) are on the patch, too.
   constexpr int size = 1000;
   constexpr double hypotheses_per_point = 5.0;
   LocalSamplingParameters parameters;
   parameters.max_hypotheses_per_point = hypotheses_per_point;
   parameters.max_inliers_per_point = parameters.max_visits_per_point = no_limit;
-  for (const double share : {0.7, 0.75, 0.8, 0.85, 0.9, 0.95}) {
-    const auto on_patch = static_cast<std::size_t> (share * size);
+  for (const double inlier_share : {0.7, 0.75, 0.8, 0.85, 0.9, 0.95}) {
+    const auto on_patch = static_cast<std::size_t> (inlier_share * size);
     Coordinates points;
     addPatch (on_patch, points);
     addLonePoints (size - on_patch, points);
     const auto accepted =
-        static_cast<double> (sample (points, parameters).moments.size());
-    const double rate = share * binomialTail (64, 80, share);
+        static_cast<double> (sampleInSpheresOfAll (points, parameters).moments.size());
+    const double probability =
+        inlier_share * probabilityOfMoreThan (64, 80, inlier_share);
     constexpr double tries = hypotheses_per_point * size;
-    const double deviation = std::sqrt (tries * rate * (1.0 - rate)); // binomial
-    EXPECT_NEAR (accepted, tries * rate, 4.0 * deviation) << share;
+    const double standard_deviation =
+        std::sqrt (tries * probability * (1.0 - probability));
+    EXPECT_NEAR (accepted, tries * probability, 4.0 * standard_deviation)
+        << inlier_share;
   }
 }
 
-TEST (SampleLocalPlanes, EndsAtTheNumberOfInliersHypothesesOrVisits)
+TEST (SampleLocalPlanes, EndsAtTheLimitOfInliersHypothesesOrVisits)
 {
-  LocalSamplingParameters inliers, hypotheses, visits;
-  inliers.max_inliers_per_point = 3.5; // each plane has all points as inliers
-  EXPECT_EQ (samplePatch (200, inliers).moments.size(), 4u);
-  hypotheses.max_inliers_per_point = hypotheses.max_visits_per_point = no_limit;
-  hypotheses.max_hypotheses_per_point = 0.5;
-  EXPECT_EQ (samplePatch (200, hypotheses).hypotheses, 100u);
-  visits.max_inliers_per_point = no_limit;
+  LocalSamplingParameters few_inliers, few_hypotheses, few_visits;
+  // Each plane has all points as inliers: the fourth one exceeds 3.5 per point.
+  few_inliers.max_inliers_per_point = 3.5;
+  EXPECT_EQ (samplePatch (200, few_inliers).moments.size(), 4u);
+  few_hypotheses.max_inliers_per_point = no_limit;
+  few_hypotheses.max_visits_per_point = no_limit;
+  few_hypotheses.max_hypotheses_per_point = 0.5;
+  EXPECT_EQ (samplePatch (200, few_hypotheses).hypotheses, 100u);
+  few_visits.max_inliers_per_point = no_limit;
   // Each hypothesis costs the 200 points of its sphere and 100 more: 1.5 visits per
   // point.
-  visits.max_visits_per_point = 7 * 1.5;
-  EXPECT_EQ (samplePatch (200, visits).hypotheses, 7u);
+  few_visits.max_visits_per_point = 7 * 1.5;
+  EXPECT_EQ (samplePatch (200, few_visits).hypotheses, 7u);
 }
 
-TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
+TEST (SampleLocalPlanes, CountsThePointsExaminedToFindANearlyEmptySphere)
 {
   constexpr std::size_t size = 200;
   Coordinates points;
   addLonePoints (size, points);
-  // Like a search whose voxels hold many points: it examines 900 and finds one. A
-  // sphere costs 400 visits, a third of the examined points and 100 more, and there are
-  // 200 * size visits.
-  const auto findItself = [] (std::uint32_t center, Indices& sphere) {
+  // Like a search whose voxels hold many points: it examines 900 and finds the center
+  // alone. So a sphere costs 400 visits, a third of the examined points and 100 more,
+  // and 200 * size visits are enough for size / 2 spheres.
+  constexpr std::size_t examined = 900;
+  const auto findCenterAlone = [] (std::uint32_t center, Indices& sphere) {
     sphere = {center};
-    return std::size_t (3 * 300);
+    return examined;
   };
   LocalSamplingParameters parameters;
   parameters.max_visits_per_point = 200.0;
-  EXPECT_EQ (sampleLocalPlanes (points, findItself, parameters, theta_h, seedOfTest())
-                 .hypotheses,
-             size / 2);
+  const LocalPlanes found =
+      sampleLocalPlanes (points, findCenterAlone, parameters, theta_h, seedOfTest());
+  EXPECT_EQ (found.hypotheses, size / 2);
 }
 
 TEST (SampleLocalPlanes, CountsDrawsThatGiveNoTriangle)
 {
-  // A sphere costs its 200 points, 100 more, and 1000 draws of equal points. Visits of
-  // 65 per point are enough for ten spheres.
+  // A sphere costs its 200 points, 100 more, and 1000 draws of equal points: 1300
+  // visits. 65 visits per point, 13,000, are enough for ten spheres.
   constexpr std::size_t size = 200;
   Coordinates points;
   for (std::size_t i = 0; i < size; ++i)
     points.add (1, 2, 3);
   LocalSamplingParameters parameters;
   parameters.max_visits_per_point = 65.0;
-  EXPECT_EQ (sample (points, parameters).hypotheses, 10u);
+  EXPECT_EQ (sampleInSpheresOfAll (points, parameters).hypotheses, 10u);
 }
 
-TEST (SampleLocalPlanes, SkipsSpheresWithFewerPointsThanSamples)
+TEST (SampleLocalPlanes, SkipsSpheresWithFewerPointsThanTestedPoints)
 {
-  EXPECT_FALSE (samplePatch (80, {}).moments.empty());
+  EXPECT_FALSE (samplePatch (80, {}).moments.empty()); // N_loc is 80
   LocalSamplingParameters without_limit;
   without_limit.max_visits_per_point = no_limit;
   const LocalPlanes skipped = samplePatch (79, without_limit);
   EXPECT_TRUE (skipped.moments.empty());
-  EXPECT_EQ (skipped.hypotheses, 79u) << "K_max, one per point";
+  EXPECT_EQ (skipped.hypotheses, 79u) << "K_max: one per point";
 }
 
 TEST (SampleLocalPlanes, CountsAllInliersOfTheSphereOrTheTestedOnesAlone)
@@ -245,7 +267,7 @@ TEST (SampleLocalPlanes, CountsAllInliersOfTheSphereOrTheTestedOnesAlone)
   Coordinates points;
   addPatch (900, points);
   addLonePoints (50, points);
-  for (const Moments& inliers : sample (points, {}).moments)
+  for (const Moments& inliers : sampleInSpheresOfAll (points, {}).moments)
     EXPECT_EQ (inliers.count, 900.0);
   LocalSamplingParameters tested_alone;
   tested_alone.inliers = LocalSamplingParameters::Inliers::Samples;
@@ -253,18 +275,18 @@ TEST (SampleLocalPlanes, CountsAllInliersOfTheSphereOrTheTestedOnesAlone)
     EXPECT_EQ (inliers.count, 80.0);
 }
 
-TEST (Spheres, HoldWhatLookingAtAllPointsFindsAlsoDuplicatesAndBesidePointsFarAway)
+TEST (Spheres, HoldThePointsWithinTheRadiusAlsoAmongDuplicatesAndBesidePointsFarAway)
 {
   for (const double radius : {1_cm, 5_cm, 20_cm, 3_m})
-    expectFindsAll (pointsInACube (1000, 1_m), radius);
-  expectFindsAll ({}, 10_cm);
+    expectSpheresAsByBruteForce (pointsInACube (1000, 1_m), radius);
+  expectSpheresAsByBruteForce ({}, 10_cm);
   Coordinates equal, points = pointsInACube (500, 1_m);
   for (int i = 0; i < 5; ++i)
     equal.add (1, 2, 3);
-  expectFindsAll (equal, 1_mm);
+  expectSpheresAsByBruteForce (equal, 1_mm);
   points.add (1e7f, 0, 0);
   points.add (-1e12f, 1e12f, 0);
-  expectFindsAll (points, 10_cm);
+  expectSpheresAsByBruteForce (points, 10_cm);
 }
 
 TEST (Spheres, AreThoseOfTheUsersSearchWhereThereIsOne)
@@ -277,14 +299,14 @@ TEST (Spheres, AreThoseOfTheUsersSearchWhereThereIsOne)
     NeighborSearch search;
     search.within = [] (pcl::index_t point, double radius, auto& found, auto&) {
       EXPECT_EQ (point, 7);
-      EXPECT_EQ (radius, 1.5);
-      found = {4, 5, 7}; // 5 is none of some_indices
+      EXPECT_EQ (radius, 1.5_m);
+      found = {4, 5, 7}; // 5 is not in some_indices
     };
     return search;
   };
   const Points points = finitePoints (input.cloud, one_thread, &some_indices);
   Indices sphere;
-  constexpr std::uint32_t position_of_7 = 4; // in some_indices
-  spheresAround (input, points, 1.5, one_thread).find (position_of_7, sphere);
-  EXPECT_EQ (sphere, (Indices{2, position_of_7})) << "the positions of 4 and 7";
+  constexpr std::uint32_t position_of_4 = 2, position_of_7 = 4; // in some_indices
+  spheresAround (input, points, 1.5_m, one_thread).find (position_of_7, sphere);
+  EXPECT_EQ (sphere, (Indices{position_of_4, position_of_7}));
 }

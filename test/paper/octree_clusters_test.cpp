@@ -7,18 +7,20 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+// Rectangles that span 2 m along x and y, or along y and z.
 const Surface tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
-const Surface level{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
-const Surface upright{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
+const Surface horizontal{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
+const Surface vertical{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
 
-/** Center of the octree leaf the cluster lies in. */
+/** Center of the octree node that a cluster is of. */
 Eigen::Vector3d
-cellCenterOf (const OctreeClusters& found, const CoplanarCluster& cluster)
+nodeCenterOf (const RootCube& root, const CoplanarCluster& cluster)
 {
   const Eigen::Vector3d corner =
-      found.root.center - Eigen::Vector3d::Constant (found.root.edge / 2.0);
-  const Eigen::Vector3d leaf = (cluster.fit.centroid - corner) / cluster.edge;
-  return corner + cluster.edge * (leaf.array().floor() + 0.5).matrix();
+      root.center - Eigen::Vector3d::Constant (root.edge / 2.0);
+  const Eigen::Vector3d nodes_from_corner =
+      (cluster.fit.centroid - corner) / cluster.edge;
+  return corner + cluster.edge * (nodes_from_corner.array().floor() + 0.5).matrix();
 }
 
 OctreeClusters
@@ -29,28 +31,29 @@ clustersOf (const Coordinates& points, int first_level)
   return findCoplanarClusters (points, parameters);
 }
 
-/** Fails unless a cluster's points lie in one octree leaf and on the tilted surface. */
+/** Fails unless a cluster has points of one octree node, their count and centroid, and
+ * the normal of the tilted surface. */
 void
-expectPointsOfOneCell (const OctreeClusters& found,
-                       const CoplanarCluster& cluster,
-                       const Coordinates& points)
+expectClusterOfOneNode (const OctreeClusters& octree,
+                        const CoplanarCluster& cluster,
+                        const Coordinates& points)
 {
-  // Normals of small cells err by more.
+  // Normals of small nodes have larger errors.
   const double max_angle = cluster.level > 3 ? 0.1 : 0.02; // [rad]
   EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), max_angle);
-  const Eigen::Vector3d center = cellCenterOf (found, cluster);
-  constexpr double rounding = 1e-5;
+  const Eigen::Vector3d center = nodeCenterOf (octree.root, cluster);
+  constexpr double rounding = 1e-5; // [m]
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-    sum += points[found.points[i].index];
-    EXPECT_LE ((found.points[i].position() - center).cwiseAbs().maxCoeff(),
+    sum += points[octree.points[i].index];
+    EXPECT_LE ((octree.points[i].position() - center).cwiseAbs().maxCoeff(),
                cluster.edge / 2.0 + rounding);
   }
   EXPECT_EQ (cluster.moments.count, cluster.size());
   EXPECT_LT ((cluster.fit.centroid - sum / cluster.size()).norm(), 1e-6);
 }
 
-/** The corners of a cube of 2 m around (2, 2, 2). */
+/** The corners of a cube with an edge of 2 m and the center (2, 2, 2). */
 Coordinates
 cornersOfACube ()
 {
@@ -64,10 +67,10 @@ cornersOfACube ()
 
 } // namespace
 
-TEST (RootCube, HoldsAllPointsAroundTheirCentroidButForOneFarAway)
+TEST (RootCube, IsTheCubeOfThePointsWithoutAPointFarAway)
 {
-  constexpr float middle = 2.0f;
-  for (const float coordinate : {middle, 20.0f, 1e6f, -1e6f, -1e38f}) {
+  constexpr float center_of_cube = 2.0f;
+  for (const float coordinate : {center_of_cube, 20.0f, 1e6f, -1e6f, -1e38f}) {
     Coordinates points = cornersOfACube();
     points.add (coordinate, coordinate, coordinate);
     const RootCube root = rootCubeOf (points);
@@ -77,15 +80,15 @@ TEST (RootCube, HoldsAllPointsAroundTheirCentroidButForOneFarAway)
   }
 }
 
-TEST (RootCube, HoldsAPointThatIsNotFarAwayAndAllPointsWhereNearlyAllAreEqual)
+TEST (RootCube, HoldsAPointThatIsNotFarAwayAndAnyPointBesideEqualOnes)
 {
-  Coordinates points = cornersOfACube(), equal;
-  points.add (4.5f, 2.0f, 2.0f);
+  Coordinates points = cornersOfACube(), nearly_all_equal;
+  points.add (4.5f, 2.0f, 2.0f); // 1.5 m from a face of the cube, which is 2 m wide
   EXPECT_TRUE (rootCubeOf (points).holds ({4.5, 2.0, 2.0}));
   for (int i = 0; i < 1000; ++i)
-    equal.add (0.0f, 0.0f, 0.0f);
-  equal.add (3.0f, 4.0f, 0.0f);
-  EXPECT_NEAR (rootCubeOf (equal).radius, 5.0, 0.01);
+    nearly_all_equal.add (0.0f, 0.0f, 0.0f);
+  nearly_all_equal.add (3.0f, 4.0f, 0.0f); // 5 m from the others
+  EXPECT_NEAR (rootCubeOf (nearly_all_equal).radius, 5.0, 0.01);
 }
 
 TEST (RootCube, OfOnePointIsThatPoint)
@@ -97,79 +100,84 @@ TEST (RootCube, OfOnePointIsThatPoint)
   EXPECT_EQ (root.edge, 0.0);
 }
 
-TEST (OctreeClusters, HoldThePointsOfOneCellOnTheirPlane)
+TEST (OctreeClusters, HoldThePointsOfOneNodeAndTheirPlane)
 {
-  // Cells down to level 5 are sorted together, those below one by one.
-  const Coordinates points = gridsOf ({tilted}, 400, 0.001);
+  // Nodes down to level 5 are sorted together, those below one by one.
+  const Coordinates points = gridsOf ({tilted}, 400, 1_mm);
   for (const int first_level : {3, 5, 6}) {
     SCOPED_TRACE (first_level);
-    const OctreeClusters found = clustersOf (points, first_level);
-    ASSERT_GT (found.clusters.size(), 20u);
-    for (const CoplanarCluster& cluster : found.clusters)
-      expectPointsOfOneCell (found, cluster, points);
+    const OctreeClusters octree = clustersOf (points, first_level);
+    ASSERT_GT (octree.clusters.size(), 20u);
+    for (const CoplanarCluster& cluster : octree.clusters)
+      expectClusterOfOneNode (octree, cluster, points);
   }
 }
 
-TEST (OctreeClusters, ShareNoPoint)
+TEST (OctreeClusters, AreDisjointRangesOfPointsThatHoldEachPointOnce)
 {
-  const Coordinates points = gridsOf ({level, upright}, 100, 0.002);
-  const OctreeClusters found = clustersOf (points, 4);
-  for (std::size_t c = 1; c < found.clusters.size(); ++c)
-    EXPECT_LE (found.clusters[c - 1].end, found.clusters[c].begin);
+  const Coordinates points = gridsOf ({horizontal, vertical}, 100, 2_mm);
+  const OctreeClusters octree = clustersOf (points, 4);
+  for (std::size_t c = 1; c < octree.clusters.size(); ++c)
+    EXPECT_LE (octree.clusters[c - 1].end, octree.clusters[c].begin);
   std::vector<bool> is_found (points.size(), false);
-  for (const OctreePoint& point : found.points) {
+  for (const OctreePoint& point : octree.points) {
     EXPECT_EQ (point.position(), points[point.index]);
     is_found[point.index] = true;
   }
   EXPECT_EQ (std::count (is_found.begin(), is_found.end(), false), 0);
 }
 
-TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
+TEST (OctreeClusters, HoldPointsOfOneOfTwoPlanesThatMeet)
 {
-  const OctreeClusters found = clustersOf (gridsOf ({level, upright}, 200), 2);
-  for (const CoplanarCluster& cluster : found.clusters) {
-    const double to_floor = angleBetween (cluster.fit.plane.normal, level.normal());
-    const double to_wall = angleBetween (cluster.fit.plane.normal, upright.normal());
-    EXPECT_LT (std::min (to_floor, to_wall), 0.1);
+  const OctreeClusters octree = clustersOf (gridsOf ({horizontal, vertical}, 200), 2);
+  for (const CoplanarCluster& cluster : octree.clusters) {
+    const double to_horizontal =
+        angleBetween (cluster.fit.plane.normal, horizontal.normal());
+    const double to_vertical =
+        angleBetween (cluster.fit.plane.normal, vertical.normal());
+    EXPECT_LT (std::min (to_horizontal, to_vertical), 0.1) << "[rad]";
   }
 }
 
-TEST (OctreeClusters, AreNoNarrowStrips)
+TEST (OctreeClusters, OfANarrowStripAreSeveral)
 {
+  // Ten times as long as wide: more than s_beta allows for a single cluster.
   const Surface strip{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 0.4, 0.0}};
   EXPECT_GT (clustersOf (gridsOf ({strip}, 100), 0).clusters.size(), 1u);
 }
 
-TEST (OctreeClusters, DropPointsFarFromTheirPlaneAndOutsideTheirRoot)
+TEST (OctreeClusters, LeaveOutPointsFarFromTheirPlaneAndOutsideTheRoot)
 {
-  Coordinates with_points_above = gridsOf ({level}, 100), with_stray_point;
-  addGrid (
-      with_points_above, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
+  Coordinates with_points_above = gridsOf ({horizontal}, 100), with_stray_point;
+  const Surface above{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}};
+  addGrid (with_points_above, above, 3);
   with_stray_point.add (1e6f, 1e6f, 0.0f);
-  addGrid (with_stray_point, level, 100);
+  addGrid (with_stray_point, horizontal, 100);
   for (const Coordinates& all : {with_points_above, with_stray_point}) {
-    const OctreeClusters found = clustersOf (all, 0);
-    ASSERT_EQ (found.clusters.size(), 1u);
-    EXPECT_EQ (found.clusters[0].size(), 10000u);
-    EXPECT_LT (found.clusters[0].fit.variances[0], 1e-12);
-    EXPECT_EQ (found.points.size(), all.size()) << "they are still there";
+    const OctreeClusters octree = clustersOf (all, 0);
+    ASSERT_EQ (octree.clusters.size(), 1u);
+    EXPECT_EQ (octree.clusters[0].size(), 10000u);
+    EXPECT_LT (octree.clusters[0].fit.variances[0], 1e-12);
+    EXPECT_EQ (octree.points.size(), all.size()) << "the points of no cluster, too";
   }
 }
 
-TEST (OctreeClusters, BeginAtTheFirstLevelWithTheMinimumOfSamples)
+TEST (OctreeClusters, BeginAtTheFirstLevelAndHaveAtLeast30Points)
 {
-  Coordinates points = gridsOf ({level}, 200), few = gridsOf ({level}, 5);
+  Coordinates points = gridsOf ({horizontal}, 200);
+  Coordinates few =
+      gridsOf ({horizontal}, 5); // 25 points, below the default min_samples
   for (const int first_level : {0, 2, 5, 6})
     for (const CoplanarCluster& cluster : clustersOf (points, first_level).clusters)
       EXPECT_EQ (cluster.level, first_level);
   EXPECT_TRUE (clustersOf (few, 0).clusters.empty());
-  addGrid (few, level, 4);
+  addGrid (few, horizontal, 4); // 41 points
   EXPECT_FALSE (clustersOf (few, 0).clusters.empty());
 }
 
-TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)
+TEST (OctreeClusters, OfManyEqualPointsEndAtTheLargestMaxLevel)
 {
-  Coordinates points = gridsOf ({level}, 10);
+  Coordinates points = gridsOf ({horizontal}, 10);
   for (int i = 0; i < 1000; ++i)
     points.add (1.0f, 1.0f, 1.0f);
   OctreeClusterParameters parameters;

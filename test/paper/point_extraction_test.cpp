@@ -8,31 +8,33 @@ using pcl_ops::Plane;
 
 namespace {
 
-/** \brief Every point of a scene as a sample with the normal of its surface; a point of
- * the clutter has any normal.
- * \param[in] normal_noise standard deviation of each component of the normals */
+/** \brief Every point of a scene as a sample with the normal of its surface. The normal
+ * of a point of the clutter is a random direction.
+ * \param[in] normal_noise standard deviation of the error of each component of a unit
+ * normal */
 OrientedSamples
 samplesOf (const LabelledScene& scene, double normal_noise = 0.0)
 {
   RandomGenerator generator (seedOfTest());
   OrientedSamples samples;
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-    const Eigen::Vector3d any = drawGaussians (generator);
+    const Eigen::Vector3d random = drawGaussians (generator);
     const int label = scene.labels[i];
     const bool is_clutter = label < 0;
     const Eigen::Vector3d normal =
-        is_clutter ? any
+        is_clutter ? random
                    : scene.surfaces[static_cast<std::size_t> (label)].normal() +
-                         normal_noise * any;
+                         normal_noise * random;
     samples.add ((*scene.cloud)[i].getVector3fMap().cast<double>(),
                  normal.normalized());
   }
   return samples;
 }
 
-/** \brief A floor twice as large as a wall, and clutter. */
+/** \brief Surface 0, a floor, is twice as large as surface 1, a wall; 10 % of the
+ * points are clutter. */
 Scene
-floorAndWall ()
+floorAndSmallerWall ()
 {
   return Scene()
       .floor (4_m, 2_m)
@@ -43,17 +45,19 @@ floorAndWall ()
 
 const Plane floor_plane{Eigen::Vector3d::UnitZ(), 0.0};
 
+constexpr double theta_h = 5_cm;
+
 RansacParameters
-withinFiveCentimeters ()
+parametersWithThreshold ()
 {
   RansacParameters parameters;
-  parameters.distance_threshold = 5_cm;
+  parameters.distance_threshold = theta_h;
   return parameters;
 }
 
 std::optional<Plane>
 planeByRansac (Candidates candidates,
-               const RansacParameters& parameters = withinFiveCentimeters(),
+               const RansacParameters& parameters = parametersWithThreshold(),
                std::uint32_t seed = seedOfTest())
 {
   RandomGenerator generator (seed);
@@ -71,22 +75,25 @@ largestAmong (const OrientedSamples& samples,
 
 } // namespace
 
-TEST (RequiredDraws, MatchesTheFormula)
+TEST (RequiredDraws, IsTheLogarithmOfFailureOverThatOfAMissRoundedUp)
 {
+  // log (1 - p) / log (1 - w) for the probability p and the inlier ratio w
   EXPECT_EQ (requiredDraws (0.99, 0.8), 3u);    // log 0.01 / log 0.2 = 2.9
-  EXPECT_EQ (requiredDraws (0.99, 0.5), 7u);    // 6.6
-  EXPECT_EQ (requiredDraws (0.99, 0.1), 44u);   // 43.7
-  EXPECT_EQ (requiredDraws (0.99, 0.01), 459u); // 458.2
-  EXPECT_EQ (requiredDraws (0.95, 0.2), 14u);   // 13.4
+  EXPECT_EQ (requiredDraws (0.99, 0.5), 7u);    // log 0.01 / log 0.5 = 6.6
+  EXPECT_EQ (requiredDraws (0.99, 0.1), 44u);   // log 0.01 / log 0.9 = 43.7
+  EXPECT_EQ (requiredDraws (0.99, 0.01), 459u); // log 0.01 / log 0.99 = 458.2
+  EXPECT_EQ (requiredDraws (0.95, 0.2), 14u);   // log 0.05 / log 0.8 = 13.4
 }
 
 TEST (RequiredDraws, IsOneWhereEveryPointIsAnInlierAndLargeButFiniteWhereNoneIs)
 {
   EXPECT_EQ (requiredDraws (0.99, 1.0), 1u);
   EXPECT_EQ (requiredDraws (0.99, 1.5), 1u);
+  constexpr std::size_t billion = 1000000000;
+  constexpr std::size_t largest = std::numeric_limits<std::int32_t>::max();
   for (const double no_inliers : {0.0, -0.5, 1e-300}) {
-    EXPECT_GT (requiredDraws (0.99, no_inliers), 1000000000u);
-    EXPECT_LE (requiredDraws (0.99, no_inliers), 2147483647u);
+    EXPECT_GT (requiredDraws (0.99, no_inliers), billion);
+    EXPECT_LE (requiredDraws (0.99, no_inliers), largest);
   }
 }
 
@@ -95,38 +102,39 @@ TEST (WithinDistance, SelectsAmongTheCandidatesOnly)
   Coordinates positions;
   for (int i = 0; i < 5; ++i)
     positions.add (1.0f, 2.0f, 0.0f);
-  EXPECT_EQ (selectWithinDistance (positions, {0, 3}, floor_plane, 5_cm),
+  EXPECT_EQ (selectWithinDistance (positions, {0, 3}, floor_plane, theta_h),
              (Indices{0, 3}));
 }
 
 TEST (WithinDistance, AgreesWithBruteForce)
 {
-  const auto samples = samplesOf (floorAndWall().build());
+  const auto samples = samplesOf (floorAndSmallerWall().build());
   const Plane tilted =
       pcl_ops::planeThrough ({1, 1, 1}, Eigen::Vector3d (1, 2, 3).normalized());
-  std::size_t near = 0;
+  constexpr double threshold = 30_cm;
+  std::size_t points_within = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    near += std::abs (tilted.distance (samples[i])) < 30_cm;
-  EXPECT_EQ (countWithinDistance (samples, tilted, 30_cm), near);
+    points_within += std::abs (tilted.distance (samples[i])) < threshold;
+  EXPECT_EQ (countWithinDistance (samples, tilted, threshold), points_within);
   EXPECT_EQ (
-      selectWithinDistance (samples, upTo (samples.size()), tilted, 30_cm).size(),
-      near);
+      selectWithinDistance (samples, upTo (samples.size()), tilted, threshold).size(),
+      points_within);
 }
 
 TEST (OnePointRansac, FindsThePlaneWithMostInliers)
 {
-  const auto scene = floorAndWall().build();
+  const auto scene = floorAndSmallerWall().build();
   const auto samples = samplesOf (scene);
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Candidates all{samples, upTo (samples.size())};
-    const auto plane = planeByRansac (all, withinFiveCentimeters(), seed);
+    const auto plane = planeByRansac (all, parametersWithThreshold(), seed);
     EXPECT_TRUE (isNear (plane.value(), scene.surfaces[0], 1e-6, 1e-6));
   }
 }
 
 TEST (OnePointRansac, DrawsFromTheCandidatesOnly)
 {
-  const auto scene = floorAndWall().build();
+  const auto scene = floorAndSmallerWall().build();
   const auto samples = samplesOf (scene);
   Indices on_wall;
   for (std::uint32_t i = 0; i < samples.size(); ++i)
@@ -136,18 +144,19 @@ TEST (OnePointRansac, DrawsFromTheCandidatesOnly)
   EXPECT_TRUE (isNear (plane.value(), scene.surfaces[1], 1e-6, 1e-6));
 }
 
-TEST (OnePointRansac, WantsMoreCandidatesThanThetaNWhateverItVerifiesOn)
+TEST (OnePointRansac, FindsAPlaneOnlyOfMoreSamplesThanThetaNAlsoIfItCountsAllPoints)
 {
-  // Ten candidates on a floor that has a thousand points.
+  // Ten candidates on a floor of a thousand points. theta_N, min_samples, always counts
+  // samples, also if hypotheses are verified on all points.
   const auto samples = samplesOf (Scene().floor (4_m, 2.5_m).spacing (10_cm).build());
   Coordinates all_points = samples;
-  Coordinates* const on_samples = nullptr;
-  RansacParameters parameters = withinFiveCentimeters();
-  for (Coordinates* const verified : {on_samples, &all_points})
+  Coordinates* const no_points = nullptr; // verifies on the samples
+  RansacParameters parameters = parametersWithThreshold();
+  for (Coordinates* const verified : {no_points, &all_points})
     for (const std::size_t min_samples : {9, 10}) {
       parameters.min_samples = min_samples;
-      EXPECT_EQ (planeByRansac ({samples, upTo (10), verified}, parameters).has_value(),
-                 min_samples < 10);
+      const Candidates ten_samples{samples, upTo (10), verified};
+      EXPECT_EQ (planeByRansac (ten_samples, parameters).has_value(), min_samples < 10);
     }
 }
 
@@ -162,9 +171,9 @@ TEST (OnePointRansac, FindsNothingAmongNoCandidatesOrPointsOnNoPlane)
 
 TEST (LargestPlane, IsRefittedToItsInliers)
 {
-  const auto scene = floorAndWall().noise (1_cm).build();
+  const auto scene = floorAndSmallerWall().noise (1_cm).build();
   const auto samples = samplesOf (scene, 0.01);
-  RansacParameters parameters = withinFiveCentimeters();
+  RansacParameters parameters = parametersWithThreshold();
   parameters.paper_only.local_optimization = false;
   const ExtractedPlane found = largestAmong (samples, parameters);
   pcl_ops::Moments moments;
@@ -175,42 +184,43 @@ TEST (LargestPlane, IsRefittedToItsInliers)
   EXPECT_NEAR (found.plane.distance (fit.centroid), 0.0, 1e-9);
 }
 
-TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
+TEST (LargestPlane, HasMoreInliersWithLocalOptimization)
 {
-  const auto scene = floorAndWall().noise (1_cm).build();
+  const auto scene = floorAndSmallerWall().noise (1_cm).build();
   const auto samples = samplesOf (scene, 0.05);
   std::size_t more_inliers = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
-    RansacParameters parameters = withinFiveCentimeters();
-    // The wall is half as large as the floor. This probability asks for so many draws
-    // that some hit the floor with any seed.
+    RansacParameters parameters = parametersWithThreshold();
+    // The wall is half as large as the floor. This probability needs so many draws that
+    // some of them are on the floor with any seed.
     parameters.paper_only.probability = 1.0 - 1e-9;
-    const ExtractedPlane grown = largestAmong (samples, parameters, seed);
+    const ExtractedPlane optimized = largestAmong (samples, parameters, seed);
     parameters.paper_only.local_optimization = false;
     const ExtractedPlane plain = largestAmong (samples, parameters, seed);
-    EXPECT_GE (grown.inliers.size(), plain.inliers.size());
-    more_inliers += grown.inliers.size() - plain.inliers.size();
-    EXPECT_TRUE (isNear (grown.plane, scene.surfaces[0], 1_deg, 1_cm));
+    EXPECT_GE (optimized.inliers.size(), plain.inliers.size());
+    more_inliers += optimized.inliers.size() - plain.inliers.size();
+    EXPECT_TRUE (isNear (optimized.plane, scene.surfaces[0], 1_deg, 1_cm));
   }
   EXPECT_GT (more_inliers, 0u);
 }
 
-TEST (ExtractAll, FindsTheLargestFirstAndTakesThemOutOfSamplesAndRemainingPoints)
+TEST (ExtractAll, FindsTheLargestFirstAndRemovesTheirInliersFromSamplesAndPoints)
 {
-  const auto scene = floorAndWall().build();
+  const auto scene = floorAndSmallerWall().build();
   const auto samples = samplesOf (scene);
-  Coordinates remaining = samples;
+  Coordinates points_left = samples;
   RandomGenerator generator (seedOfTest());
-  Candidates candidates{samples, upTo (samples.size()), &remaining};
-  const auto planes = extractAll (candidates, withinFiveCentimeters(), generator);
+  Candidates candidates{samples, upTo (samples.size()), &points_left};
+  const auto planes = extractAll (candidates, parametersWithThreshold(), generator);
   ASSERT_EQ (planes.size(), 2u);
-  Indices all = candidates.samples_left;
+  Indices left_or_on_plane = candidates.free_samples;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     EXPECT_TRUE (isNear (planes[p].plane, scene.surfaces[p], 1_deg, 1_cm));
-    EXPECT_EQ (countWithinDistance (remaining, planes[p].plane, 5_cm), 0u);
-    all.insert (all.end(), planes[p].inliers.begin(), planes[p].inliers.end());
+    EXPECT_EQ (countWithinDistance (points_left, planes[p].plane, theta_h), 0u);
+    left_or_on_plane.insert (
+        left_or_on_plane.end(), planes[p].inliers.begin(), planes[p].inliers.end());
   }
-  std::sort (all.begin(), all.end());
-  EXPECT_EQ (all, upTo (samples.size()));
-  EXPECT_EQ (remaining.size(), candidates.samples_left.size());
+  std::sort (left_or_on_plane.begin(), left_or_on_plane.end());
+  EXPECT_EQ (left_or_on_plane, upTo (samples.size()));
+  EXPECT_EQ (points_left.size(), candidates.free_samples.size());
 }

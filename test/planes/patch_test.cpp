@@ -26,12 +26,12 @@ TEST (Patch, OfPointsOnALineIsNone)
 
 TEST (CommonArea, IsThatOfTheOverlapOfTwoSquares)
 {
-  // A square of 2 m x 2 m around (x, 0), turned by an angle.
-  const auto square = [] (double x, double turn) {
+  // A level square of 2 m x 2 m around (x, 0, 0), turned about z by an angle [rad].
+  const auto square = [] (double x, double angle) {
     Patch patch;
     patch.half_sides = {1.0, 1.0};
     return moved (Eigen::Translation3d (x, 0, 0) *
-                      Eigen::AngleAxisd (turn, Vector3d::UnitZ()),
+                      Eigen::AngleAxisd (angle, Vector3d::UnitZ()),
                   patch);
   };
   EXPECT_NEAR (commonArea (square (0, 0), square (0, 0)), 4.0, 1e-12);

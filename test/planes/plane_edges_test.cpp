@@ -26,32 +26,35 @@ planesOf (const LabelledScene& scene)
   return planes;
 }
 
+/** \brief The edges between the planes of a scene. */
 PlaneEdges
 edgesOf (const LabelledScene& scene, const PlaneEdgeParameters& parameters = {})
 {
   return findPlaneEdges (*scene.cloud, planesOf (scene), parameters);
 }
 
-/** \brief Builds a scene and gives the points of its last surface to an earlier plane.
- */
+/** \brief Builds a scene whose last surface is a part of an earlier plane: its points
+ * get the label of that plane. */
 LabelledScene
 withLastSurfaceOnPlane (int plane, Scene scene)
 {
   LabelledScene built = scene.build();
-  const auto last = static_cast<int> (built.surfaces.size()) - 1;
-  std::replace (built.labels.begin(), built.labels.end(), last, plane);
+  const int last_surface = static_cast<int> (built.surfaces.size()) - 1;
+  std::replace (built.labels.begin(), built.labels.end(), last_surface, plane);
   built.surfaces.pop_back();
   return built;
 }
 
-/** \brief A floor of 4 m x 3 m and two walls, 2.5 m high, that meet at zero. */
+/** \brief The corner of a room: a floor of 4 m x 3 m and two walls, 2.5 m high, along x
+ * and along y. Their common corner is zero. */
 Scene
 corner ()
 {
   return room().noise (0.0).clutter (0.0);
 }
 
-/** \brief The edge of two planes; fails unless there is one. */
+/** \brief The edge of two planes, by their indices; fails unless there is exactly one.
+ */
 PlaneEdge
 edgeBetween (const PlaneEdges& found, std::size_t first, std::size_t second)
 {
@@ -81,6 +84,32 @@ expectRuns (const PlaneEdge& edge,
   EXPECT_LT ((edge.to - to).norm(), max_distance) << edge.to.transpose();
 }
 
+/** \brief The default parameters, apart from this member. */
+template <typename Member>
+PlaneEdgeParameters
+parametersWith (Member PlaneEdgeParameters::*member, double value)
+{
+  PlaneEdgeParameters parameters;
+  parameters.*member = value;
+  return parameters;
+}
+
+/** \brief A floor, and a ramp that rises from its side x = 2 m by an angle [rad]. */
+Scene
+floorAndRamp (double angle)
+{
+  const Vector3d upwards (2 * std::cos (angle), 0, 2 * std::sin (angle));
+  return Scene().floor (2_m, 2_m).surface ({2, 0, 0}, upwards, {0, 2, 0});
+}
+
+/** \brief A floor from x = 0 to 2 m, and over the line y = 0 of its side a wall 2 m
+ * long that begins at x and at a height above the floor [m]. */
+Scene
+floorAndWall (double x, double height)
+{
+  return Scene().floor (2_m, 1_m).surface ({x, 0, height}, {2, 0, 0}, {0, 0, 1});
+}
+
 } // namespace
 
 TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
@@ -96,10 +125,12 @@ TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
     expectRuns (edgeBetween (found, 1, 2), {0, 0, 0}, {0, 0, 2.5}, 5_cm);
     ASSERT_EQ (found.corners.size(), 1u);
     EXPECT_EQ (found.corners[0].planes, (std::array<std::size_t, 3>{0, 1, 2}));
-    const Vector3d at = found.corners[0].position;
-    EXPECT_LT (at.norm(), 1e-6);
+    const Vector3d position = found.corners[0].position;
+    EXPECT_LT (position.norm(), 1e-6);
     for (const PlaneEdge& edge : found.edges)
-      EXPECT_EQ (std::min ((edge.from - at).norm(), (edge.to - at).norm()), 0.0);
+      EXPECT_EQ (std::min ((edge.from - position).norm(), (edge.to - position).norm()),
+                 0.0)
+          << "an edge ends at the corner";
   }
 }
 
@@ -107,16 +138,19 @@ TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
 {
   Scene table;
   table.floor (4_m, 4_m).surface ({1, 1, 0.7}, {1, 0, 0}, {0, 1, 0}); // its top
-  table.surface ({1, 1, 0.4}, {1, 0, 0}, {0, 0, 0.3}); // an apron that ends above
+  table.surface ({1, 1, 0.4}, {1, 0, 0}, {0, 0, 0.3});                // an apron
   const PlaneEdges found = edgesOf (table.build());
-  ASSERT_EQ (found.edges.size(), 1u) << "of apron and top";
+  ASSERT_EQ (found.edges.size(), 1u)
+      << "of apron and top; the apron ends 40 cm above the floor";
   expectRuns (edgeBetween (found, 1, 2), {1, 1, 0.7}, {2, 1, 0.7}, 5_cm);
   EXPECT_TRUE (found.corners.empty());
 }
 
 TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
 {
-  Scene scene; // no floor is where the wall stands; the hull of the L ends at (3, 2)
+  // The floor is an L. The wall begins at (3, 2), where the convex hull of the L ends
+  // but no floor is.
+  Scene scene;
   scene.surface ({0, 0, 0}, {4, 0, 0}, {0, 1, 0}).wall ({3, 2}, {4, 2}, 2_m);
   scene.surface ({0, 1, 0}, {1, 0, 0}, {0, 3, 0});
   EXPECT_TRUE (edgesOf (withLastSurfaceOnPlane (0, scene)).edges.empty());
@@ -124,6 +158,7 @@ TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
 
 TEST (PlaneEdges, AreTwoWhereADoorOpens)
 {
+  // A wall with a door from x = 1 m to 2 m; both of its parts are plane 1.
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 1}, {1, 1}, 2.5_m).wall ({2, 1}, {4, 1}, 2.5_m);
   const LabelledScene built = withLastSurfaceOnPlane (1, scene);
@@ -135,9 +170,9 @@ TEST (PlaneEdges, AreTwoWhereADoorOpens)
   expectRuns (left_of_door, {0, 1, 0}, {1, 1, 0}, 10_cm);
   expectRuns (right_of_door, {2, 1, 0}, {4, 1, 0}, 10_cm);
 
-  PlaneEdgeParameters over_door;
-  over_door.max_gap = 1.2_m;
-  EXPECT_EQ (edgesOf (built, over_door).edges.size(), 1u);
+  PlaneEdgeParameters across_door;
+  across_door.max_gap = 1.2_m;
+  EXPECT_EQ (edgesOf (built, across_door).edges.size(), 1u);
 }
 
 TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
@@ -154,68 +189,63 @@ TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
 
 TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
 {
-  // The second wall ends 1 m before the first one, except for its upper end, which
-  // reaches the first one.
+  // The second wall ends 1 m before the first one, but from 1.5 m up it reaches the
+  // first one.
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
-  scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // the upper end
+  scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // this upper part
   const LabelledScene built = withLastSurfaceOnPlane (2, scene);
   std::vector<PlaneSegment> planes = planesOf (built);
   for (int order = 0; order < 3; ++order) {
     const PlaneEdges found = findPlaneEdges (*built.cloud, planes);
     EXPECT_EQ (found.edges.size(), 3u);
-    EXPECT_TRUE (found.corners.empty()) << "edges of each two that end apart";
+    EXPECT_TRUE (found.corners.empty())
+        << "the edges of each two planes end at different positions";
     std::rotate (planes.begin(), planes.begin() + 1, planes.end());
   }
 }
 
 TEST (PlaneEdges, AreAsManyAsPlanesMeet)
 {
-  const auto parametersWith = [] (auto member, double value) {
-    PlaneEdgeParameters parameters;
-    parameters.*member = value;
-    return parameters;
-  };
-  const auto ramp = [] (double angle) {
-    const Vector3d up (2 * std::cos (angle), 0, 2 * std::sin (angle));
-    return Scene().floor (2_m, 2_m).surface ({2, 0, 0}, up, {0, 2, 0});
-  };
-  // A floor, and over the line of its side y = 0 a wall that begins at x and this far
-  // above the floor.
-  const auto wallAt = [] (double x, double height) {
-    return Scene().floor (2_m, 1_m).surface ({x, 0, height}, {2, 0, 0}, {0, 0, 1});
-  };
-  const auto steep = parametersWith (&PlaneEdgeParameters::min_angle, 15_deg);
+  const PlaneEdgeParameters only_steep =
+      parametersWith (&PlaneEdgeParameters::min_angle, 15_deg);
   const Scene parallel = Scene().wall ({0, 0}, {4, 0}, 2).wall ({0, 1}, {4, 1}, 2);
-  const Scene above = wallAt (0.0, 0.07).spacing (1_cm);
+  const Scene wall_7_cm_above = floorAndWall (0.0, 0.07).spacing (1_cm);
   const struct {
-    const char* planes;
+    const char* planes; // of the scene
     Scene scene;
     PlaneEdgeParameters parameters;
     std::size_t edges;
-  } rows[] = {{"parallel walls", parallel, {}, 0},
-              {"a slope of 10 degrees", ramp (10_deg), steep, 0},
-              {"one of 20", ramp (20_deg), steep, 1},
-              {"one line, but not at the same places", wallAt (2.5, 0.0), {}, 0},
-              {"a wall that ends above the floor", wallAt (0.0, 0.3), {}, 0},
-              {"in reach",
-               wallAt (0.0, 0.3),
-               parametersWith (&PlaneEdgeParameters::reach, 0.4),
-               1},
-              {"7 cm above", Scene (above).noise (1_mm), {}, 0},
-              {"which noise may do as well", Scene (above).noise (2_cm), {}, 1},
-              {"an edge too short",
-               corner(),
-               parametersWith (&PlaneEdgeParameters::min_length, 2.8),
-               2}};
+  } rows[] = {
+      {"parallel walls", parallel, {}, 0},
+      {"a slope of 10 degrees", floorAndRamp (10_deg), only_steep, 0},
+      {"a slope of 20 degrees", floorAndRamp (20_deg), only_steep, 1},
+      {"a wall on the line of the floor's side, but beside the floor",
+       floorAndWall (2.5, 0.0),
+       {},
+       0},
+      {"a wall that begins 30 cm above the floor", floorAndWall (0.0, 0.3), {}, 0},
+      {"the same with a reach of 40 cm",
+       floorAndWall (0.0, 0.3),
+       parametersWith (&PlaneEdgeParameters::reach, 0.4),
+       1},
+      {"a wall 7 cm above the floor", Scene (wall_7_cm_above).noise (1_mm), {}, 0},
+      {"the same where noise explains the gap",
+       Scene (wall_7_cm_above).noise (2_cm),
+       {},
+       1},
+      {"a corner of a room, of whose edges one is too short",
+       corner(),
+       parametersWith (&PlaneEdgeParameters::min_length, 2.8),
+       2}};
   for (const auto& row : rows) {
     const PlaneEdges found = edgesOf (Scene (row.scene).build(), row.parameters);
     EXPECT_EQ (found.edges.size(), row.edges) << row.planes;
     EXPECT_TRUE (found.corners.empty()) << row.planes << ": a corner has three edges";
   }
-  const PlaneEdge along = edgesOf (ramp (20_deg).build()).edges.at (0);
-  EXPECT_NEAR (along.angle, 20_deg, 1e-9);
-  EXPECT_NEAR (along.length(), 2_m, 10_cm);
+  const PlaneEdge below_ramp = edgesOf (floorAndRamp (20_deg).build()).edges.at (0);
+  EXPECT_NEAR (below_ramp.angle, 20_deg, 1e-9);
+  EXPECT_NEAR (below_ramp.length(), 2_m, 10_cm);
 }
 
 TEST (PlaneEdges, AreExactAThousandKilometersFromZero)

@@ -14,6 +14,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr double board_length = 1.0; // [m]
 constexpr double board_width = 0.6;  // [m]
 
+/** \brief The extent of the plane with this normal through all points of a cloud. */
 PlaneExtent
 extentOf (const Cloud& cloud, const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ())
 {
@@ -32,7 +33,9 @@ gridOf (double length, double width)
   return cloud;
 }
 
-/** \brief Points of the board anywhere on it, with noise in all directions. */
+/** \brief Points drawn uniformly on a level board, from zero to (board_length,
+ * board_width).
+ * \param[in] noise standard deviation of each coordinate [m] */
 Cloud
 scatteredBoard (int points, double noise)
 {
@@ -47,7 +50,8 @@ scatteredBoard (int points, double noise)
   return cloud;
 }
 
-/** \brief Fails unless the extent is that of the board, up to a relative tolerance. */
+/** \brief Fails unless the extent is as long and wide and has the area of the board, up
+ * to a relative tolerance. */
 void
 expectBoard (const PlaneExtent& extent, double tolerance)
 {
@@ -56,13 +60,15 @@ expectBoard (const PlaneExtent& extent, double tolerance)
   EXPECT_NEAR (extent.width / board_width, 1.0, tolerance);
 }
 
+/** \brief Fails unless long axis, short axis and normal are a right-handed frame. */
 void
 expectRightHanded (const PlaneExtent& extent, const Eigen::Vector3d& normal)
 {
   EXPECT_TRUE (extent.long_axis.cross (extent.short_axis).isApprox (normal, 1e-9));
 }
 
-/** \brief Share of a cloud's points inside a hull, or nearer than 1 um to it. */
+/** \brief Share of a cloud's points that are inside the hull or nearer than 1 um to it.
+ * The hull has to run counter-clockwise seen from the tip of the normal. */
 double
 shareInside (const Cloud& cloud,
              const PlaneExtent& extent,
@@ -73,8 +79,8 @@ shareInside (const Cloud& cloud,
       const Eigen::Vector3d edge =
           extent.hull[(i + 1) % extent.hull.size()] - extent.hull[i];
       const Eigen::Vector3d inwards = normal.cross (edge).normalized();
-      const Eigen::Vector3d p = point.getVector3fMap().cast<double>();
-      if (inwards.dot (p - extent.hull[i]) < -1e-6)
+      const Eigen::Vector3d position = point.getVector3fMap().cast<double>();
+      if (inwards.dot (position - extent.hull[i]) < -1e-6)
         return false;
     }
     return true;
@@ -92,7 +98,7 @@ extentOnGround (const PlanarPoints& points)
   return pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
 }
 
-/** \brief The extent of points of the ground; fails if they span an area. */
+/** \brief The same; fails if the points span an area. */
 PlaneExtent
 flatExtent (const PlanarPoints& points)
 {
@@ -104,13 +110,13 @@ flatExtent (const PlanarPoints& points)
   return extent;
 }
 
-/** \brief Positions whose three coordinates have any size from 1e-10 to 1e13, turned
- * and projected to a plane, relative to their centroid. */
+/** \brief Positions whose three coordinates have any size from 1e-10 to 1e13, turned at
+ * random, projected to a plane and moved so that their centroid is zero. */
 PlanarPoints
 pointsOverManyDecades (std::uint32_t seed)
 {
   RandomGenerator generator (seed);
-  const Eigen::Quaterniond frame = drawTurn (generator);
+  const Eigen::Quaterniond turn = drawTurn (generator);
   PlanarPoints points (600);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (Eigen::Vector2d& point : points) {
@@ -119,7 +125,7 @@ pointsOverManyDecades (std::uint32_t seed)
       const double sign = drawUnit (generator) < 0.5 ? -1.0 : 1.0;
       position[axis] = sign * std::pow (10.0, 23.0 * drawUnit (generator) - 10.0);
     }
-    point = (frame * position).head<2>();
+    point = (turn * position).head<2>();
     sum += point;
   }
   for (Eigen::Vector2d& point : points)
@@ -129,13 +135,13 @@ pointsOverManyDecades (std::uint32_t seed)
 
 } // namespace
 
-TEST (PlaneFrame, HasTheAxesThatTheCovarianceOfItsPlaneIsAbout)
+TEST (PlaneFrame, HasTheAxesOfTheCovarianceOfItsPlane)
 {
   const Cloud cloud = gridOf (1_m, 0.6_m);
   const PlaneSegment plane = planeOfPoints (
       cloud, upTo<pcl::Indices> (cloud.size()), Eigen::Vector3d (1, 2, 3).normalized());
   const PlaneFrame frame (plane.centroid, plane.normal);
-  const auto covariance = independentPlaneCovariance (plane);
+  const std::optional<PlaneCovariance> covariance = independentPlaneCovariance (plane);
   ASSERT_TRUE (covariance);
   EXPECT_EQ (frame.directionInSpace ({1, 0}), covariance->axes.col (0));
   EXPECT_EQ (frame.directionInSpace ({0, 1}), covariance->axes.col (1));
@@ -189,8 +195,7 @@ TEST (PlaneExtent, RunsCounterClockwiseSeenFromTheSideOfTheNormal)
 
 TEST (PlaneExtent, OfABoardFarAwayIsThatOfABoardNearBy)
 {
-  // At 10^6 m the numbers of a float are 6 cm apart: little for a board of 100 m x 60
-  // m.
+  // At 10^6 m floats are 6 cm apart. That is little for this board of 100 m x 60 m.
   Cloud cloud = gridOf (1_m, 0.6_m);
   for (pcl::PointXYZ& point : cloud)
     point = toPoint ({1e6 + 100.0 * point.x, -1e6 + 100.0 * point.y, 1e6});
@@ -244,10 +249,10 @@ TEST (PlaneExtent, OfTwoPointsOrManyOnOneLineIsThatLine)
   }
 }
 
-TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangleAndOthersAreLeftOut)
+TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangleWithoutPointsThatAreNotFinite)
 {
   PlanarPoints points = {{0.5, 1.0}, {NAN, 0.5}, {0.5, INFINITY}};
-  for (int i = 0; i <= 1000; ++i)
+  for (int i = 0; i <= 1000; ++i) // a line from (0, 0) to (1, 0)
     points.emplace_back (0.001 * i, 0.0);
   const PlaneExtent extent = extentOnGround (points);
   EXPECT_NEAR (extent.area, 0.5, 1e-9);
@@ -256,8 +261,8 @@ TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangleAndOthersAreLeftOut)
 
 TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
 {
-  // A square of 1 m without one of its corners, each in turn. A rectangle along the cut
-  // has a larger area than the square.
+  // A square of 1 m one of whose corners, each in turn, is cut off. A rectangle along
+  // the cut has a larger area than the square.
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5}) {
       const PlanarPoints points = {

@@ -10,6 +10,7 @@ using namespace pcl_ops;
 
 namespace {
 
+/** \brief A plane with so many points, all with index 0. */
 PlaneSegment
 planeOf (const Vector3d& normal, Orientation orientation, std::size_t points)
 {
@@ -30,7 +31,8 @@ house ()
           planeOf ({std::sin (30_deg), 0, std::cos (30_deg)}, Orientation::Other, 200)};
 }
 
-/** \brief An extent 10 m long; its width is 1 m per hundred points of the plane. */
+/** \brief An extent 10 m long and 1 m wide per hundred points of the plane: floor, wall
+ * and roof of the house are 4 m, 3 m and 2 m wide. */
 PlaneExtent
 extentByPoints (const PlaneSegment& plane)
 {
@@ -41,74 +43,91 @@ extentByPoints (const PlaneSegment& plane)
   return extent;
 }
 
-/** \brief For filters that need no extent. */
+/** \brief The extent for filters that need none: fails if it is called. */
 PlaneExtent
-neverAsked (const PlaneSegment& /*plane*/)
+failIfAsked (const PlaneSegment& /*plane*/)
 {
   ADD_FAILURE() << "the extent was asked for without need";
   return {};
 }
 
-/** \brief The number of points of each plane of the house that is kept; fails if the
- * others are not all dropped for the same reason. */
+/** \brief The number of points of each plane of the house that the filter keeps; fails
+ * unless all others are dropped for this reason. */
 std::vector<std::size_t>
-leftOfHouse (const PlaneFilter& filter, std::size_t DroppedPlanes::*reason)
+keptOfHouse (const PlaneFilter& filter, std::size_t DroppedPlanes::*reason)
 {
   std::vector<PlaneSegment> planes = house();
   const DroppedPlanes dropped = filterPlanes (planes, filter, extentByPoints);
   EXPECT_EQ (dropped.*reason, house().size() - planes.size());
-  EXPECT_EQ (dropped.total(), dropped.*reason) << "for one reason each";
+  EXPECT_EQ (dropped.total(), dropped.*reason) << "for this reason alone";
   std::vector<std::size_t> points;
   for (const PlaneSegment& plane : planes)
     points.push_back (plane.inliers.size());
   return points;
 }
 
+/** \brief Numbers of points of planes. */
 using Sizes = std::vector<std::size_t>;
+using Filter = PlaneFilter;
+using Dropped = DroppedPlanes;
+/** \brief PlaneFilter::slope: least and largest angle to the horizontal [rad]. */
+using Slopes = std::array<double, 2>;
+/** \brief PlaneFilter::size of a rectangle: both sides and the tolerance [m]. */
+using Size = std::array<double, 3>;
+
+/** \brief The given filter, but with this value of a member. */
+template <typename Member, typename Value>
+Filter
+with (Member Filter::*member, const Value& value, Filter filter = Filter())
+{
+  filter.*member = value;
+  return filter;
+}
+
+/** \brief A filter for normals within a tolerance [rad] of a direction. */
+Filter
+towards (const Vector3d& direction, double tolerance)
+{
+  return with (
+      &Filter::direction, direction, with (&Filter::direction_tolerance, tolerance));
+}
 
 } // namespace
 
 TEST (PlaneFilter, KeepsWhatItIsAskedFor)
 {
-  using F = PlaneFilter;
-  using D = DroppedPlanes;
-  using Slopes = std::array<double, 2>;
-  using Size = std::array<double, 3>;
-  const auto with = [] (auto member, auto value, F others = F()) {
-    others.*member = value;
-    return others;
-  };
-  const auto towards = [&] (const Vector3d& direction, double tolerance) {
-    return with (&F::direction, direction, with (&F::direction_tolerance, tolerance));
-  };
-  const F up_along_x = with (&F::up_axis, Vector3d (3, 0, 0));
-  const F without_roof = with (&F::min_points, 201);
+  const Filter up_along_x = with (&Filter::up_axis, Vector3d (3, 0, 0));
+  const Filter without_roof = with (&Filter::min_points, 201);
   const struct {
-    F filter;
-    std::size_t D::*reason;
-    Sizes left;
+    Filter filter;
+    std::size_t Dropped::*reason; // for which the other planes are dropped
+    Sizes kept;                   // points of each plane
   } rows[] = {
-      {with (&F::orientation, Orientation::Vertical), &D::by_orientation, {300}},
-      {with (&F::direction, Vector3d (0, 0, -7)), &D::by_direction, {400}},
-      {towards ({0, 0, -7}, 29.9_deg), &D::by_direction, {400}},
-      {towards ({0, 0, -7}, 30.1_deg), &D::by_direction, {400, 200}},
-      {towards ({0, 0, 1}, 90_deg), &D::by_direction, {400, 300, 200}},
-      {with (&F::min_points, 300), &D::by_points, {400, 300}},
-      {with (&F::min_area, 25.0), &D::by_area, {400, 300}},
-      {with (&F::min_width, 3.5), &D::by_width, {400}},
-      {with (&F::max_area, 30.0), &D::by_max_area, {300, 200}},
-      {with (&F::max_width, 2.5), &D::by_max_width, {200}},
-      {with (&F::slope, Slopes{5_deg, 29.9_deg}), &D::by_slope, {}},
-      {with (&F::slope, Slopes{5_deg, 30.1_deg}), &D::by_slope, {200}},
-      {with (&F::slope, Slopes{0, 60.1_deg}, up_along_x), &D::by_slope, {300, 200}},
-      {with (&F::size, Size{10.0, 3.0, 0.01}), &D::by_size, {300}},
-      {with (&F::size, Size{2.5, 10.4, 0.51}), &D::by_size, {300, 200}},
-      {with (&F::size, Size{2.5, 11.0, 0.51}), &D::by_size, {}},
-      {with (&F::max_planes, 2), &D::by_number, {400, 300}},
-      {with (&F::max_planes, 2, without_roof), &D::by_points, {400, 300}}};
+      {with (&Filter::orientation, Orientation::Vertical),
+       &Dropped::by_orientation,
+       {300}},
+      {with (&Filter::direction, Vector3d (0, 0, -7)), &Dropped::by_direction, {400}},
+      {towards ({0, 0, -7}, 29.9_deg), &Dropped::by_direction, {400}},
+      {towards ({0, 0, -7}, 30.1_deg), &Dropped::by_direction, {400, 200}},
+      {towards ({0, 0, 1}, 90_deg), &Dropped::by_direction, {400, 300, 200}},
+      {with (&Filter::min_points, 300), &Dropped::by_points, {400, 300}},
+      {with (&Filter::min_area, 25.0), &Dropped::by_area, {400, 300}},
+      {with (&Filter::min_width, 3.5), &Dropped::by_width, {400}},
+      {with (&Filter::max_area, 30.0), &Dropped::by_max_area, {300, 200}},
+      {with (&Filter::max_width, 2.5), &Dropped::by_max_width, {200}},
+      {with (&Filter::slope, Slopes{5_deg, 29.9_deg}), &Dropped::by_slope, {}},
+      {with (&Filter::slope, Slopes{5_deg, 30.1_deg}), &Dropped::by_slope, {200}},
+      {with (&Filter::slope, Slopes{0, 60.1_deg}, up_along_x),
+       &Dropped::by_slope,
+       {300, 200}},
+      {with (&Filter::size, Size{10.0, 3.0, 0.01}), &Dropped::by_size, {300}},
+      {with (&Filter::size, Size{2.5, 10.4, 0.51}), &Dropped::by_size, {300, 200}},
+      {with (&Filter::size, Size{2.5, 11.0, 0.51}), &Dropped::by_size, {}},
+      {with (&Filter::max_planes, 2), &Dropped::by_number, {400, 300}},
+      {with (&Filter::max_planes, 2, without_roof), &Dropped::by_points, {400, 300}}};
   for (std::size_t row = 0; row < std::size (rows); ++row) {
     SCOPED_TRACE (row);
-    EXPECT_EQ (leftOfHouse (rows[row].filter, rows[row].reason), rows[row].left);
+    EXPECT_EQ (keptOfHouse (rows[row].filter, rows[row].reason), rows[row].kept);
   }
 }
 
@@ -118,28 +137,28 @@ TEST (PlaneFilter, CountsThePointsOfMomentsWhereThereAreNoInliers)
   filter.min_points = 5;
   std::vector<PlaneSegment> planes (2);
   planes[1].moments.count = 5.0;
-  EXPECT_EQ (filterPlanes (planes, filter, neverAsked).by_points, 1u);
+  EXPECT_EQ (filterPlanes (planes, filter, failIfAsked).by_points, 1u);
   EXPECT_EQ (planes.at (0).moments.count, 5.0);
 }
 
-TEST (PlaneFilter, KeepsAllByDefaultAndAsksForNoExtentItCanDoWithout)
+TEST (PlaneFilter, KeepsAllByDefaultAndAsksForNoExtentWithoutNeed)
 {
   std::vector<PlaneSegment> planes = house();
-  EXPECT_EQ (filterPlanes (planes, {}, neverAsked).total(), 0u);
+  EXPECT_EQ (filterPlanes (planes, {}, failIfAsked).total(), 0u);
   EXPECT_EQ (planes.size(), 3u);
   PlaneFilter filter;
   filter.min_area = 1.0;
   filter.min_points = 1000;
-  EXPECT_EQ (filterPlanes (planes, filter, neverAsked).by_points, 3u);
+  EXPECT_EQ (filterPlanes (planes, filter, failIfAsked).by_points, 3u);
 }
 
-TEST (PlaneFilter, CountsWhatItDropsAnewEachTime)
+TEST (PlaneFilter, CountsOnlyThePlanesThatTheLastCallDropped)
 {
   PlaneFilter filter;
   filter.orientation = Orientation::Vertical;
   DroppedPlanes dropped;
   for (int i = 0; i < 2; ++i) {
-    const auto kept = keptPlanes (house(), filter, neverAsked, dropped);
+    const auto kept = keptPlanes (house(), filter, failIfAsked, dropped);
     EXPECT_EQ (kept, std::vector<std::size_t>{1});
     EXPECT_EQ (dropped.by_orientation, 2u);
   }
@@ -176,6 +195,6 @@ TEST (PlaneFilter, RefusesANegativeArea)
   PlaneFilter filter;
   filter.min_area = -1.0;
   std::vector<PlaneSegment> planes = house();
-  EXPECT_THROW (filterPlanes (planes, filter, neverAsked), std::invalid_argument);
+  EXPECT_THROW (filterPlanes (planes, filter, failIfAsked), std::invalid_argument);
   EXPECT_EQ (planes.size(), 3u);
 }

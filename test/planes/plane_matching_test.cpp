@@ -17,8 +17,8 @@ namespace {
 using Planes = std::vector<PlaneSegment>;
 using Numbers = std::vector<std::uint32_t>;
 
-/** \brief The floor and two walls of a corner of a room, and two shelves 0.3 m above
- * each other. The middle of the floor is 3 m ahead along y. */
+/** \brief The floor and two walls of a corner of a room, and two shelves, of which one
+ * is 0.3 m above the other. The middle of the floor is 3 m from zero along y. */
 Planes
 roomCorner ()
 {
@@ -29,7 +29,7 @@ roomCorner ()
           board ({-1, 4.7, 0.3}, Vector3d::UnitZ(), {1, 0.4})};
 }
 
-/** \brief The same planes as seen from another pose. */
+/** \brief The planes in the frame of a sensor with this pose. */
 Planes
 seenFrom (const Isometry3d& pose, Planes planes)
 {
@@ -46,7 +46,7 @@ motion (double degrees, const Vector3d& axis, const Vector3d& shift)
          Eigen::AngleAxisd (degrees * 1_deg, axis.normalized());
 }
 
-/** \brief For trackers that forget no plane by the number of frames. */
+/** \brief For trackers that forget no plane, however many frames do not see it. */
 constexpr std::nullopt_t never_by_frames = std::nullopt;
 
 const Isometry3d no_motion = Isometry3d::Identity();
@@ -73,7 +73,8 @@ TEST (MatchPlanes, TakesThePoseOfTheCurrentFrameInThePreviousOneNotItsInverse)
   const Isometry3d pose = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
   const Planes current = seenFrom (pose, roomCorner());
   PlaneMatchingParameters exact;
-  exact.rotation_error = exact.translation_error = 0.001;
+  exact.rotation_error = 0.001;    // [rad]
+  exact.translation_error = 0.001; // [m]
   EXPECT_EQ (matchPlanes (roomCorner(), current, pose, exact).previous, each_itself);
   const Labels inverted =
       matchPlanes (roomCorner(), current, pose.inverse(), exact).previous;
@@ -82,7 +83,7 @@ TEST (MatchPlanes, TakesThePoseOfTheCurrentFrameInThePreviousOneNotItsInverse)
 
 TEST (MatchPlanes, CorrectsAPoseByMoreThanFromOneShelfToTheNext)
 {
-  // 4 degrees are 0.33 m at the shelves, which are 0.3 m above each other.
+  // 4 degrees are 0.33 m at the shelves, 4.7 m away, but one is 0.3 m above the other.
   const Isometry3d error = motion (4, Vector3d::UnitX(), {0.03, 0, 0.02});
   const PlaneMatches matches =
       matchPlanes (roomCorner(), seenFrom (error, roomCorner()));
@@ -92,8 +93,8 @@ TEST (MatchPlanes, CorrectsAPoseByMoreThanFromOneShelfToTheNext)
 
 TEST (MatchPlanes, CorrectsThePoseByOneCurrentPlaneForEachPreviousOne)
 {
-  // A mat on the floor, 1 cm thick, that was not there before. The floor before matches
-  // the floor now, and the mat tells nothing about the pose.
+  // On the floor of the current frame there is a mat, 1 cm thick. The floor of the
+  // previous frame matches the floor, and the mat does not change the pose.
   Planes current = roomCorner();
   current.push_back (board ({0, 3, -0.99}, Vector3d::UnitZ(), {3.5, 3.5}));
   const PlaneMatches matches = matchPlanes (roomCorner(), current);
@@ -117,20 +118,22 @@ TEST (MatchPlanes, CorrectsPosesThatAreFarOffIfItsParametersAllowIt)
 
 namespace {
 
-/** A level board 1 m deep, \p height over the floor. */
+/** A level board, from x - width / 2 to x + width / 2 and 1 m deep, at a height [m].
+ * \param[in] noise how far its points are from it [m] */
 PlaneSegment
 levelBoard (double x, double height, double width, double noise = 0.002)
 {
   return board ({x, 0, height}, Vector3d::UnitZ(), {width, 1}, noise);
 }
 
-/** A part of one wall, 2 m high. */
+/** A part of one wall, from x - width / 2 to x + width / 2 and 2 m high. */
 PlaneSegment
 partOfWall (double x, double width)
 {
   return board ({x, 0, 0}, Vector3d::UnitY(), {width, 2});
 }
 
+/** Planes of two frames, and which of them match. */
 struct MatchingCase {
   const char* name; // of the test
   Planes previous;
@@ -140,6 +143,7 @@ struct MatchingCase {
   Labels expected;
 };
 
+/** Prints the name in messages of GoogleTest. */
 void
 PrintTo (const MatchingCase& row, std::ostream* stream)
 {
@@ -147,22 +151,22 @@ PrintTo (const MatchingCase& row, std::ostream* stream)
 }
 
 PlaneMatchingParameters
-withTranslationError (double length)
+withTranslationError (double translation_error)
 {
   PlaneMatchingParameters parameters;
-  parameters.translation_error = length;
+  parameters.translation_error = translation_error;
   return parameters;
 }
 
 PlaneMatchingParameters
-withMinOverlap (double share)
+withMinOverlap (double min_overlap)
 {
   PlaneMatchingParameters parameters;
-  parameters.min_overlap = share;
+  parameters.min_overlap = min_overlap;
   return parameters;
 }
 
-/** Parameters for a pose without an error. */
+/** Parameters for a pose that has no error. */
 PlaneMatchingParameters
 exactPose ()
 {
@@ -172,14 +176,12 @@ exactPose ()
   return parameters;
 }
 
+/** Planes that are apart along their normals. */
 std::vector<MatchingCase>
-matchingCases ()
+casesOfDistance ()
 {
   const PlaneSegment floor = levelBoard (0, 0, 1);
   const PlaneSegment table = levelBoard (0, 0.3, 1);
-  const PlaneSegment door = partOfWall (0, 1);
-  const PlaneSegment next_door = partOfWall (1.5, 1);
-  const PlaneSegment no_plane_at_all{};
   return {
       {"RefusesAPlaneFartherAwayThanThePoseIsOff", {floor}, {table}, {}, {no_plane}},
       {"TakesAPlaneAsFarAwayAsThePoseIsOff",
@@ -187,7 +189,9 @@ matchingCases ()
        {table},
        withTranslationError (0.2),
        {0}},
-      // Three standard deviations of three numbers are 3.76 of one: 0.376 m.
+      // Two planes differ by three numbers: two tilts and an offset. As rarely as one
+      // number differs by 3 standard deviations, all three together differ by 3.76: at
+      // 0.1 m each, an offset of 0.376 m.
       {"TakesAPlaneWithinThreeStandardDeviationsOfThreeNumbers",
        {floor},
        {levelBoard (0, 0.35, 1)},
@@ -198,32 +202,6 @@ matchingCases ()
        {levelBoard (0, 0.42, 1)},
        withTranslationError (0.1),
        {no_plane}},
-      {"TellsPlanesOfOneEquationByTheirPlaces",
-       {door, next_door},
-       {next_door, door},
-       {},
-       {1, 0}},
-      {"RefusesAPlaneOfTheSameEquationElsewhere", {door}, {next_door}, {}, {no_plane}},
-      {"TakesHalfAnOverlapWhereLessIsAskedFor",
-       {levelBoard (0, 0, 2)},
-       {levelBoard (1, 0, 2)},
-       withMinOverlap (0.4),
-       {0}},
-      {"RefusesHalfAnOverlapWhereMoreIsAskedFor",
-       {levelBoard (0, 0, 2)},
-       {levelBoard (1, 0, 2)},
-       withMinOverlap (0.6),
-       {no_plane}},
-      {"TakesThePartThatOverlapsMost",
-       {partOfWall (0, 4)},
-       {partOfWall (-1.5, 0.8), partOfWall (0.5, 3)},
-       {},
-       {no_plane, 0}},
-      {"TakesTheDoorOfItsSizeNotTheWallAllOfItIsOn",
-       {partOfWall (0, 10), partOfWall (0.1, 1)},
-       {door},
-       {},
-       {1}},
       {"RefusesAPlaneFiveCentimetersAwayWhereThePoseIsExact",
        {levelBoard (0, 0, 2)},
        {levelBoard (0, 0.05, 2)},
@@ -233,14 +211,66 @@ matchingCases ()
        {levelBoard (0, 0, 2, 0.03)},
        {levelBoard (0, 0.05, 2, 0.03)},
        exactPose(),
-       {0}},
-      {"LeavesOutSegmentsThatSpanNoPlane",
-       {no_plane_at_all, floor},
-       {floor, no_plane_at_all},
+       {0}}};
+}
+
+/** Planes with the same equation that overlap in part or not at all. */
+std::vector<MatchingCase>
+casesOfOverlap ()
+{
+  const PlaneSegment door = partOfWall (0, 1);
+  const PlaneSegment other_door = partOfWall (1.5, 1); // 0.5 m beside the first one
+  return {
+      {"TellsPlanesOfOneEquationApartByTheirPositions",
+       {door, other_door},
+       {other_door, door},
        {},
-       {1, no_plane}},
-      {"FindsNothingInAnEmptyFrame", {floor}, {}, {}, {}},
-      {"FindsNothingAfterAnEmptyFrame", {}, {floor}, {}, {no_plane}}};
+       {1, 0}},
+      {"RefusesAPlaneOfTheSameEquationElsewhere", {door}, {other_door}, {}, {no_plane}},
+      {"TakesAnOverlapOfHalfWhereLessIsAskedFor",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (1, 0, 2)},
+       withMinOverlap (0.4),
+       {0}},
+      {"RefusesAnOverlapOfHalfWhereMoreIsAskedFor",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (1, 0, 2)},
+       withMinOverlap (0.6),
+       {no_plane}},
+      {"TakesThePartThatOverlapsMost",
+       {partOfWall (0, 4)},
+       {partOfWall (-1.5, 0.8), partOfWall (0.5, 3)},
+       {},
+       {no_plane, 0}},
+      {"TakesAPlaneOfTheSameSizeRatherThanALargerOneThatCoversIt",
+       {partOfWall (0, 10), partOfWall (0.1, 1)},
+       {door},
+       {},
+       {1}}};
+}
+
+/** Frames without planes, and segments without points. */
+std::vector<MatchingCase>
+casesOfNothing ()
+{
+  const PlaneSegment floor = levelBoard (0, 0, 1);
+  const PlaneSegment without_points{};
+  return {{"MatchesNoSegmentWithoutPoints",
+           {without_points, floor},
+           {floor, without_points},
+           {},
+           {1, no_plane}},
+          {"FindsNothingInAnEmptyFrame", {floor}, {}, {}, {}},
+          {"FindsNothingAfterAnEmptyFrame", {}, {floor}, {}, {no_plane}}};
+}
+
+std::vector<MatchingCase>
+allCases ()
+{
+  std::vector<MatchingCase> all = casesOfDistance();
+  for (const std::vector<MatchingCase>& cases : {casesOfOverlap(), casesOfNothing()})
+    all.insert (all.end(), cases.begin(), cases.end());
+  return all;
 }
 
 class MatchPlanesCases : public testing::TestWithParam<MatchingCase> {};
@@ -249,7 +279,7 @@ class MatchPlanesCases : public testing::TestWithParam<MatchingCase> {};
 
 INSTANTIATE_TEST_SUITE_P (MatchPlanes,
                           MatchPlanesCases,
-                          testing::ValuesIn (matchingCases()),
+                          testing::ValuesIn (allCases()),
                           [] (const auto& info) { return info.param.name; });
 
 TEST_P (MatchPlanesCases, AreAsNamed)
@@ -260,7 +290,7 @@ TEST_P (MatchPlanesCases, AreAsNamed)
       row.expected);
 }
 
-TEST (MatchPlanes, RefusesWrongArguments)
+TEST (MatchPlanes, RefusesAnOverlapAboveOneAndAPoseThatIsNotFinite)
 {
   PlaneMatchingParameters wrong;
   wrong.min_overlap = 1.1;
@@ -274,6 +304,8 @@ TEST (MatchPlanes, RefusesWrongArguments)
 TEST (PlaneTracker, KnowsAPlaneWhereEarlierFramesSawIt)
 {
   PlaneTracker tracker;
+  // The part of the floor that a frame sees, from and to an x [m]. The last one
+  // overlaps only that of the first frame.
   for (const auto& [from, to] : {std::pair (0.0, 4.0), {3.0, 5.0}, {0.0, 1.4}}) {
     const Vector3d middle (0.5 * (from + to), 3, -1);
     const Planes floor = {board (middle, Vector3d::UnitZ(), {to - from, 2})};
@@ -302,8 +334,8 @@ TEST (PlaneTracker, KnowsAPlaneAgainThatWasOutOfSightUnlessToldToForgetIt)
 TEST (PlaneTracker, StaysRigidWhereGivenPosesAreRounded)
 {
   Isometry3d rounded = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
-  constexpr double decimals = 1e4;
-  rounded.matrix() = (decimals * rounded.matrix()).array().round() / decimals;
+  constexpr double ten_thousand = 1e4; // for four decimals
+  rounded.matrix() = (ten_thousand * rounded.matrix()).array().round() / ten_thousand;
   PlaneTracker tracker;
   for (int i = 0; i < 1000; ++i)
     tracker.track ({}, rounded);
@@ -314,14 +346,15 @@ TEST (PlaneTracker, StaysRigidWhereGivenPosesAreRounded)
 TEST (PlaneTracker, FollowsASensorThatDrifts)
 {
   PlaneTracker tracker;
-  Isometry3d true_pose = no_motion, told_pose = no_motion;
-  for (int i = 0; i < 30; ++i) {
-    EXPECT_EQ (tracker.track (seenFrom (true_pose, roomCorner()), told_pose),
+  // From frame to frame the sensor turns by 1 degree; the given pose turns by 2.
+  Isometry3d true_pose = no_motion, given_pose = no_motion;
+  for (int frame = 0; frame < 30; ++frame) {
+    EXPECT_EQ (tracker.track (seenFrom (true_pose, roomCorner()), given_pose),
                (Numbers{1, 2, 3, 4, 5}))
-        << i;
+        << frame;
     EXPECT_TRUE (tracker.pose().isApprox (true_pose, 0.015)) << tracker.pose().matrix();
     true_pose = true_pose * motion (1, Vector3d::UnitZ(), {0.01, 0.02, 0});
-    told_pose = told_pose * motion (2, Vector3d::UnitZ(), {0.02, 0.02, 0.01});
+    given_pose = given_pose * motion (2, Vector3d::UnitZ(), {0.02, 0.02, 0.01});
   }
 }
 
@@ -332,7 +365,8 @@ TEST (PlaneTracker, HasPlanesInTheCommonFrame)
   tracker.track (seenFrom (pose, roomCorner()), pose);
   ASSERT_EQ (tracker.planes().size(), 5U);
   for (std::size_t i = 0; i < 5; ++i) {
-    const PlaneSegment &plane = tracker.planes()[i].plane, truth = roomCorner()[i];
+    const PlaneSegment& plane = tracker.planes()[i].plane;
+    const PlaneSegment truth = roomCorner()[i];
     EXPECT_TRUE (plane.centroid.isApprox (truth.centroid, 1e-9));
     EXPECT_TRUE (plane.normal.isApprox (truth.normal, 1e-9));
   }
@@ -344,8 +378,8 @@ TEST (PlaneTracker, CountsTheFramesOfEachPlane)
   PlaneTracker tracker;
   for (const Planes& frame : {Planes{floor}, {floor, wall}, {wall}, {floor}})
     tracker.track (frame, no_motion);
-  std::vector<std::array<std::size_t, 3>>
-      seen; // first and last frame, number of frames
+  // First frame, last frame and number of frames of each plane.
+  std::vector<std::array<std::size_t, 3>> seen;
   for (const TrackedPlane& plane : tracker.planes())
     seen.push_back ({plane.first_seen, plane.last_seen, plane.times_seen});
   EXPECT_EQ (seen, (decltype (seen){{0, 3, 3}, {1, 2, 2}}));
@@ -390,7 +424,7 @@ TEST (PlaneTracker, ForgetsPlanesBeyondTheGivenDistance)
     return tracker.planes().size();
   };
   tracker.track ({board ({0, 0, -1}, Vector3d::UnitZ(), {2, 2})}, no_motion);
-  EXPECT_EQ (planesAfterMovingTo (5), 1U) << "its near side is 4 m away";
+  EXPECT_EQ (planesAfterMovingTo (5), 1U) << "the nearest side is 4 m away";
   EXPECT_EQ (planesAfterMovingTo (7), 0U);
   EXPECT_THROW (PlaneTracker ({}, never_by_frames, -1.0), std::invalid_argument);
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr double spacing = 1_cm;
+constexpr double spacing = 1_cm; // of neighboring points
 
 /** \brief The horizontal plane through the centroid of a cloud, with all points as
  * inliers. */
@@ -20,6 +20,7 @@ planeOf (const Cloud& cloud)
       cloud, upTo<pcl::Indices> (cloud.size()), Eigen::Vector3d::UnitZ());
 }
 
+/** \brief The pieces of the one plane that all points of a cloud are on. */
 PlanePieces
 piecesOf (const Cloud& cloud, const PlanePiecesParameters& parameters = {})
 {
@@ -38,7 +39,7 @@ addSquare (int steps, double x, double y, Cloud& cloud)
 constexpr std::size_t tiles_of_floor = 8 * 8;
 
 /** \brief 8 x 8 tiles of 6 x 6 points.
- * \param[in] gap from one tile to the next, in spacings of points */
+ * \param[in] gap between neighboring tiles [spacings] */
 Cloud
 tiledFloor (double gap)
 {
@@ -72,19 +73,20 @@ rings (int beams, double noise)
   return cloud;
 }
 
-/** \brief The positions of the points of each piece, sorted; the pieces sorted, too. */
+/** \brief The positions of the points of each piece, sorted. The list of pieces is
+ * sorted by them, too. */
 std::vector<std::vector<std::array<float, 3>>>
 positionsOf (const PlanePieces& found, const Cloud& cloud)
 {
-  std::vector<std::vector<std::array<float, 3>>> all;
+  std::vector<std::vector<std::array<float, 3>>> positions_by_piece;
   for (const PlaneSegment& piece : found.pieces) {
-    std::vector<std::array<float, 3>>& positions = all.emplace_back();
+    std::vector<std::array<float, 3>>& positions = positions_by_piece.emplace_back();
     for (const pcl::index_t index : piece.inliers)
       positions.push_back ({cloud[index].x, cloud[index].y, cloud[index].z});
     std::sort (positions.begin(), positions.end());
   }
-  std::sort (all.begin(), all.end());
-  return all;
+  std::sort (positions_by_piece.begin(), positions_by_piece.end());
+  return positions_by_piece;
 }
 
 } // namespace
@@ -108,7 +110,7 @@ TEST (PlanePieces, TheWidestGapIsAParameter)
   EXPECT_EQ (piecesOf (tiledFloor (10), parameters).pieces.size(), 1u);
 }
 
-TEST (PlanePieces, TheGapIsAMultipleOfTheSpacingWhateverThatIs)
+TEST (PlanePieces, TilesTenSpacingsApartAreAPieceEachWhateverTheSpacing)
 {
   Cloud cloud = tiledFloor (10);
   for (pcl::PointXYZ& point : cloud)
@@ -120,8 +122,8 @@ TEST (PlanePieces, TilesOfScatteredPointsAreAPieceEach)
 {
   RandomGenerator generator (seedOfTest());
   Cloud cloud;
-  for (int tile = 0; tile < 9; ++tile)
-    for (int i = 0; i < 400; ++i) { // 1 cm apart in the mean
+  for (int tile = 0; tile < 9; ++tile) // 3 x 3 tiles with gaps of 15 cm
+    for (int i = 0; i < 400; ++i) {    // in 20 cm x 20 cm: 1 cm apart in the mean
       const double x = 0.35 * (tile % 3) + 0.2 * drawUnit (generator);
       const double y = 0.35 * (tile / 3) + 0.2 * drawUnit (generator);
       cloud.push_back (toPoint ({x, y, 0.0}));
@@ -154,11 +156,12 @@ TEST (PlanePieces, AFineTileBesideACoarseOneIsApartByItsOwnSpacing)
   addSquare (20, 0.0, 0.0, cloud);
   for (pcl::PointXYZ& point : cloud)
     point.getVector3fMap() *= 10.0f; // 10 cm apart, to x = 1.9 m
+  // A gap of 0.5 m: 5 spacings of the coarse tile and 50 of the fine one.
   addSquare (20, 2.4, 0.0, cloud);
   EXPECT_EQ (piecesOf (cloud).pieces.size(), 2u);
 }
 
-TEST (PlanePieces, ComeByFallingSizeWithThePlaneTheyLieOn)
+TEST (PlanePieces, ComeByFallingSizeWithTheIndexOfTheirPlane)
 {
   Cloud cloud;
   addSquare (10, 0, 0, cloud);   // 100 points of the first plane
@@ -183,7 +186,7 @@ TEST (PlanePieces, HaveTheEquationOfTheirPlaneAndMomentsOfTheirOwn)
   Cloud cloud;
   addSquare (10, 0, 0, cloud);
   addSquare (6, 1, 0, cloud);
-  for (pcl::PointXYZ& point : cloud)
+  for (pcl::PointXYZ& point : cloud) // the second square is 1 mm higher
     point.z = point.x > 0.5f ? 0.001f : 0.0f;
   PlaneSegment plane = planeOf (cloud);
   plane.orientation = Orientation::Horizontal;
@@ -193,9 +196,10 @@ TEST (PlanePieces, HaveTheEquationOfTheirPlaneAndMomentsOfTheirOwn)
   EXPECT_EQ (piece.normal, plane.normal);
   EXPECT_EQ (piece.orientation, plane.orientation);
   EXPECT_NEAR (piece.plane().offset, plane.plane().offset, 1e-12);
-  EXPECT_NEAR (piece.centroid.x(), 1.025, 1e-6);
+  EXPECT_NEAR (piece.centroid.x(), 1.025, 1e-6) << "the middle of 1 m to 1.05 m";
   EXPECT_EQ (piece.moments.count, 36.0);
-  EXPECT_NEAR (piece.rms(), 0.001 - std::abs (plane.plane().offset), 1e-6);
+  const double height_of_plane = std::abs (plane.plane().offset);
+  EXPECT_NEAR (piece.rms(), 0.001 - height_of_plane, 1e-6);
 }
 
 TEST (PlanePieces, APlaneWithoutAGapStaysAsItIs)
@@ -224,7 +228,7 @@ TEST (PlanePieces, FewPointsArePartOfTheNearestPiece)
   EXPECT_EQ (piecesOf (cloud, parameters).pieces.size(), 3u);
 }
 
-TEST (PlanePieces, EqualPointsCountButLeaveTheSpacingAsItIs)
+TEST (PlanePieces, EqualPointsCountButDoNotChangeTheSpacing)
 {
   Cloud cloud = tiledFloor (10);
   const std::size_t size = cloud.size();
@@ -242,7 +246,7 @@ TEST (PlanePieces, LeaveOutInliersWithoutCoordinates)
   Cloud cloud = tiledFloor (10);
   for (std::size_t i = 0; i < cloud.size(); i += 50)
     cloud[i].x = NAN;
-  PlaneSegment plane = planeOf (tiledFloor (10));
+  const PlaneSegment plane = planeOf (tiledFloor (10));
   const PlanePieces found = findPlanePieces (cloud, {plane});
   EXPECT_EQ (found.pieces.size(), tiles_of_floor);
   for (const PlaneSegment& piece : found.pieces)
@@ -279,9 +283,9 @@ TEST (PlanePieces, AreTheSameForAnyNumberOfThreads)
     EXPECT_EQ (by_one.pieces[i].inliers, by_four.pieces[i].inliers);
 }
 
-TEST (PlanePieces, PointsOnALineAreOnePieceAsFarAsTheyAreEven)
+TEST (PlanePieces, PointsOnALineAreDividedByAGap)
 {
-  // A gap of 1 m divides the line.
+  // A line of points 1 cm apart with a gap of 1 m in its middle.
   Cloud cloud;
   for (int i = 0; i < 100; ++i)
     cloud.push_back (toPoint ({spacing * i + (i < 50 ? 0.0 : 1.0), 0.0, 0.0}));
@@ -299,7 +303,7 @@ TEST (PlanePieces, OfAPlaneWithoutInliersOrWithOneIsThePlane)
   }
 }
 
-TEST (PlanePieces, AreRefusedOfAnotherCloudAndForSenselessGaps)
+TEST (PlanePieces, OfATooSmallCloudOrWithAnInvalidGapAreRefused)
 {
   Cloud cloud;
   addSquare (10, 0, 0, cloud);

@@ -14,11 +14,12 @@ namespace {
 const Vector3d up = Vector3d::UnitZ();
 
 /** \brief A surface as a detector returns it, with a point every 10 cm and its normal
- * towards the eye.
- * \param[in] eye,surface in meters
- * \param[in] unit how many units of length of the plane make a meter */
+ * towards the sensor.
+ * \param[in] sensor,surface in meters; sensor is its position
+ * \param[in] unit lengths of the plane are this many times those in meters, for example
+ * 1000 for millimeters */
 PlaneSegment
-seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
+seenFrom (const Vector3d& sensor, const Surface& surface, double unit = 1.0)
 {
   PlaneSegment plane;
   plane.centroid = unit * surface.center();
@@ -26,8 +27,8 @@ seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
       momentsOf ({unit * surface.corner, unit * surface.first, unit * surface.second},
                  static_cast<int> (surface.first.norm() / 10_cm),
                  static_cast<int> (surface.second.norm() / 10_cm));
-  const bool faces_eye = surface.normal().dot (eye - surface.center()) > 0.0;
-  plane.normal = faces_eye ? surface.normal() : Vector3d (-surface.normal());
+  const bool faces_sensor = surface.normal().dot (sensor - surface.center()) > 0.0;
+  plane.normal = faces_sensor ? surface.normal() : Vector3d (-surface.normal());
   return plane;
 }
 
@@ -49,7 +50,8 @@ furnishedRoom (double unit = 1.0)
           seenFrom (eye, table_top, unit)};
 }
 
-/** \brief Fails unless the axis is z, up to a small angle [rad]. */
+/** \brief Fails unless the axis is z, up to a small angle.
+ * \param[in] tolerance the largest angle [rad] */
 void
 expectUp (const UpAxis& found, double tolerance)
 {
@@ -64,7 +66,8 @@ TEST (UpAxis, IsWhereTheFloorFacesAndTheWallsStandHoweverTheRoomIsTurnedInAnyUni
   expectUp (upright, 0.1_deg);
   EXPECT_GE (upright.confidence, 0.7);
   EXPECT_LE (upright.confidence, 1.0);
-  const auto in_millimeters = estimateUpAxis (furnishedRoom (1000.0), 1000.0 * eye);
+  const std::optional<UpAxis> in_millimeters =
+      estimateUpAxis (furnishedRoom (1000.0), 1000.0 * eye);
   EXPECT_NEAR (in_millimeters.value().confidence, upright.confidence, 1e-9);
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 50; ++i) {
@@ -95,14 +98,14 @@ TEST (UpAxis, IsTakenByADetectorInEitherPrecision)
 TEST (UpAxis, FollowsMostPlanesAndNotASingleTiltedOne)
 {
   std::vector<PlaneSegment> planes = furnishedRoom();
-  const Surface ramp{{2, 0.5, 0}, {1, 0, 0.3}, {0, 1, 0}}; // 17 degrees
+  const Surface ramp{{2, 0.5, 0}, {1, 0, 0.3}, {0, 1, 0}}; // rises by 17 degrees
   planes.push_back (seenFrom (eye, ramp));
   expectUp (estimateUpAxis (planes, eye).value(), 0.5_deg);
 }
 
 TEST (UpAxis, IsAcrossWallsWhereManyAreLargerThanTheFloor)
 {
-  std::vector<PlaneSegment> planes;
+  std::vector<PlaneSegment> planes; // walls of 8 m x 3 m in three directions
   for (const double degrees : {0.0, 60.0, 120.0})
     for (const double distance : {-3.0, -2.0, 2.0, 3.0, 4.0}) {
       const Eigen::AngleAxisd turn (degrees * 1_deg, Vector3d::UnitZ());
@@ -110,7 +113,7 @@ TEST (UpAxis, IsAcrossWallsWhereManyAreLargerThanTheFloor)
           eye,
           {turn * Vector3d (distance, -4, 0), turn * Vector3d (0, 8, 0), {0, 0, 3}}));
     }
-  // The floor is not quite level.
+  // The floor of 2.5 m x 2.5 m rises by 10 cm: its normal is not quite the up axis.
   planes.push_back (seenFrom (eye, {{-1, -1, 0}, {2.5, 0, 0}, {0, 2.5, 0.1}}));
   UpAxisParameters parameters;
   parameters.min_share = 0.001;
@@ -120,7 +123,7 @@ TEST (UpAxis, IsAcrossWallsWhereManyAreLargerThanTheFloor)
 
 TEST (UpAxis, IsThatOfTheLargestPlanesHoweverManyBoardsLeanAgainstThem)
 {
-  std::vector<PlaneSegment> planes;
+  std::vector<PlaneSegment> planes; // boards that lean by 45 degrees to all sides
   for (int i = 0; i < 20; ++i) {
     const Eigen::AngleAxisd turn (i * 18_deg, Vector3d::UnitZ());
     planes.push_back (seenFrom (
@@ -154,7 +157,7 @@ TEST (UpAxis, CannotBeToldInTheCornerOfACube)
   UpAxisParameters parameters;
   parameters.min_confidence = 0.0;
   EXPECT_LE (estimateUpAxis (planes, diagonal, parameters).value().confidence, 0.34)
-      << "each of three has a third";
+      << "a third for each of three directions";
 }
 
 TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)

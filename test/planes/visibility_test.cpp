@@ -13,10 +13,11 @@ using pcl_ops::detail::occludedFraction;
 
 namespace {
 
-const Vector3d camera (1, 2, 1.5);
+const Vector3d camera (1, 2, 1.5); // its position [m]
 
-/** \brief What is seen from the camera, which looks along z, a ray every 0.3 degrees: a
- * wall 4 m ahead, and a board of 1 m x 1 m half way that hides a part of it. */
+/** \brief What the camera sees, which looks along z and has a ray every 0.3 degrees: a
+ * wall 4 m ahead, and a board of 1 m x 1 m, 2 m ahead, that hides a part of the wall.
+ */
 Cloud
 wallBehindABoard ()
 {
@@ -32,9 +33,11 @@ wallBehindABoard ()
   return cloud;
 }
 
-/** \brief What a lidar 1.7 m above a street sees: 64 beams, 0.6 degrees apart, which
- * turn in steps of 0.2 degrees. Houses stand 8 m to its left and right. Before them, 4
- * m away, are hedges 2.5 m high, through which every other ray passes. */
+/** \brief What a lidar 1.7 m above a street along x sees: 64 beams, 0.6 degrees apart,
+ * which turn in steps of 0.2 degrees. On both sides there are houses, 8 m from the
+ * lidar, and before them, 4 m from the lidar, hedges 2.5 m high through which every
+ * other ray passes.
+ * \param[in] lidar its position */
 Cloud
 streetSeenBy (const Vector3d& lidar)
 {
@@ -64,23 +67,27 @@ streetSeenBy (const Vector3d& lidar)
   return cloud;
 }
 
-constexpr int room_steps = 100;
+constexpr int room_steps = 100; // along each edge of a surface
 constexpr std::size_t points_of_room_surface = (room_steps + 1) * (room_steps + 1);
 
 /** \brief A floor of 4 m x 4 m, a wall on it and a table in the middle, each a grid of
- * points. The points of the floor come first. */
+ * points. The points of the floor come first.
+ * \param[in] corner of the floor with the least x and y */
 Cloud
 roomAt (const Vector3d& corner)
 {
   Cloud cloud;
-  const auto add = [&] (const Vector3d& from, const Vector3d& u, const Vector3d& v) {
-    for (int i = 0; i <= room_steps; ++i)
-      for (int j = 0; j <= room_steps; ++j)
-        cloud.push_back (toPoint (corner + from + 0.01 * (i * u + j * v)));
-  };
-  add ({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-  add ({0, 0, 0}, {4, 0, 0}, {0, 0, 3});
-  add ({1, 1, 0.8}, {2, 0, 0}, {0, 2, 0});
+  const auto addSurface =
+      [&] (const Vector3d& from, const Vector3d& first, const Vector3d& second) {
+        constexpr double share_of_step = 0.01; // 1 / room_steps
+        for (int i = 0; i <= room_steps; ++i)
+          for (int j = 0; j <= room_steps; ++j)
+            cloud.push_back (
+                toPoint (corner + from + share_of_step * (i * first + j * second)));
+      };
+  addSurface ({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  addSurface ({0, 0, 0}, {4, 0, 0}, {0, 0, 3});
+  addSurface ({1, 1, 0.8}, {2, 0, 0}, {0, 2, 0});
   return cloud;
 }
 
@@ -97,7 +104,7 @@ normalsOf (const Cloud& cloud, const Vector3d& sensor = Vector3d::Zero())
   return normals;
 }
 
-/** \brief Fails unless there are so many normals, and all point up. */
+/** \brief Fails unless there are so many normals and all of them point up. */
 void
 expectAllUp (const std::vector<Vector3d>& normals, std::size_t number)
 {
@@ -117,7 +124,7 @@ TEST (NormalsWithoutASensor, OfAFloorJustAboveZeroAndJustBelowPointUp)
   }
 }
 
-TEST (NormalsWithoutASensor, OfARoomThatZeroLiesUnderPointUp)
+TEST (NormalsWithoutASensor, OfARoomAboveZeroPointUp)
 {
   expectAllUp (normalsOf (roomAt ({-1.5, -1.5, 0.5})), 2);
 }
@@ -129,7 +136,7 @@ TEST (NormalsWithoutASensor, OfAMapFarFromZeroPointUp)
 
 TEST (NormalsWithoutASensor, PointToZeroIfThePlanesWereSeenFromThere)
 {
-  Cloud ceiling = roomAt ({-2, -2, 1.5});
+  Cloud ceiling = roomAt ({-2, -2, 1.5}); // of the room its floor, 1.5 m above zero
   ceiling.resize (points_of_room_surface);
   const std::vector<Vector3d> normals = normalsOf (ceiling);
   ASSERT_EQ (normals.size(), 1u);
@@ -138,14 +145,14 @@ TEST (NormalsWithoutASensor, PointToZeroIfThePlanesWereSeenFromThere)
 
 TEST (NormalsWithoutASensor, PointToZeroFromACeilingTwoDegreesAboveIt)
 {
-  Cloud ceiling = roomAt ({1, -2, 0.1}); // 3 m ahead in the middle
+  Cloud ceiling = roomAt ({1, -2, 0.1}); // its middle is 3 m from zero and 0.1 m higher
   ceiling.resize (points_of_room_surface);
   const std::vector<Vector3d> normals = normalsOf (ceiling);
   ASSERT_EQ (normals.size(), 1u);
   EXPECT_LT (normals[0].z(), -0.9);
 }
 
-TEST (NormalsWithASensor, PointToItWhateverItSees)
+TEST (NormalsWithASensor, PointDownToASensorBelowThePlanes)
 {
   const std::vector<Vector3d> normals =
       normalsOf (roomAt ({-1.5, -1.5, 0.5}), {0.0, 0.0, -1.0});
@@ -172,7 +179,7 @@ TEST (Visibility, IsGivenFromTheCameraAloneInAnyOrderOfPoints)
 
 TEST (Visibility, IsGivenFromALidarThoughAHedgeHidesThings)
 {
-  const Vector3d lidar (3, 2, 1);
+  const Vector3d lidar (3, 2, 1); // its position [m]
   const Cloud street = streetSeenBy (lidar);
   const CloudView cloud (street);
   EXPECT_GT (occludedFraction (cloud, lidar), 5_percent);
@@ -197,9 +204,9 @@ TEST (Visibility, OfHalfTheRaysOfALidarIsGivenFromTheLidarAlone)
   EXPECT_FALSE (isSeenFrom (lidar + Vector3d (0, 3, 0), CloudView (half)));
 }
 
-TEST (Visibility, FromFarAwayIsToldAsFromNear)
+TEST (Visibility, IsNotGivenFromFarAwayUnlessTheSensorWasThere)
 {
-  // The table hides the floor, or the wall hides both.
+  // From some viewpoints the table hides the floor, from others the wall hides both.
   const Cloud room = roomAt ({0, 0, 0});
   for (const double distance : {10.0, 20.0, 100.0, 2000.0, 5e6})
     for (const Vector3d& direction : {Vector3d (1, 1, 1), {-1, -2, 1}})
@@ -208,14 +215,15 @@ TEST (Visibility, FromFarAwayIsToldAsFromNear)
   Cloud corner;
   for (int row = -50; row < 50; ++row)
     for (int column = -50; column < 50; ++column) {
-      const Vector3d ray (1e-4 * column, 1.0, -0.01 + 1e-4 * row);
-      const double to_floor = -1.0 / ray.z(); // all rays go down
-      corner.push_back (toPoint (std::min (to_floor, 102.0) * ray));
+      const Vector3d ray (1e-4 * column, 1.0, -0.01 + 1e-4 * row); // down by 0.01 or so
+      const double to_floor = -1.0 / ray.z(); // the floor is 1 m below the camera
+      const double to_wall = 102.0;
+      corner.push_back (toPoint (std::min (to_floor, to_wall) * ray));
     }
   EXPECT_TRUE (isSeenFrom (Vector3d::Zero(), CloudView (corner)));
 }
 
-TEST (Visibility, IsTakenForGrantedForTooFewPoints)
+TEST (Visibility, IsGivenForTooFewPoints)
 {
   Cloud few;
   EXPECT_TRUE (isSeenFrom (camera, CloudView (few)));
@@ -224,7 +232,7 @@ TEST (Visibility, IsTakenForGrantedForTooFewPoints)
   EXPECT_TRUE (isSeenFrom (camera, CloudView (few)));
 }
 
-TEST (Visibility, CountsAPlaceWithVeryManyPointsAsOneWithSome)
+TEST (Visibility, IsTheSameFor4000EqualPointsAsFor300)
 {
   const Vector3d beside = camera + Vector3d (2, 0, 0);
   const auto hiddenWithEqualPoints = [&] (std::size_t number) {

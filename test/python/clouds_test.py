@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files, and messages of ROS or what looks like them, as arrays."""
+"""Clouds from files and from messages of ROS, and clouds written to files."""
 
 import array
 import pathlib
@@ -17,43 +17,58 @@ import numpy as np
 import pcl_ops
 from scene import las, room
 
-# Classes of messages: objects with the same members, and those of ROS where it is installed.
-kinds = [types.SimpleNamespace(PointCloud2=types.SimpleNamespace, PointField=types.SimpleNamespace)]
+# Namespaces with the classes of messages: objects that have the same members as those of ROS, and
+# ROS itself where it is installed.
+message_modules = [types.SimpleNamespace(PointCloud2=types.SimpleNamespace, PointField=types.SimpleNamespace)]
 try:
     import sensor_msgs.msg
-    kinds.append(sensor_msgs.msg)
+    message_modules.append(sensor_msgs.msg)
 except ImportError:
     pass
 
-# sensor_msgs/PointField: the number of each type.
-types_of_fields = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
+# The numbers that sensor_msgs/PointField has for NumPy's types.
+datatype_of = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
 
 
-def message(rows, data=bytes, height=1, row_padding=0, kind=kinds[-1]):
-    """A structured array as a message."""
-    members = [(name, *rows.dtype.fields[name][:2]) for name in rows.dtype.names]
-    fields = [kind.PointField(name=name, offset=offset, count=int(np.prod(member.shape)),
-                              datatype=types_of_fields[member.base.str[1:]])
-              for name, member, offset in members]
-    width, step = len(rows) // height, rows.dtype.itemsize
-    lines = [rows[i * width:(i + 1) * width].tobytes() + bytes(row_padding) for i in range(height)]
-    return kind.PointCloud2(
-        fields=fields, data=data(b"".join(lines)), width=width, height=height, point_step=step,
-        row_step=width * step + row_padding,
-        is_bigendian=any(member.base.str[0] == ">" for _, member, _ in members))
+def message(points, data=bytes, height=1, row_padding=0, module=message_modules[-1]):
+    """A structured array with an element for each point, as a PointCloud2.
+
+    data: the class of the message's buffer
+    height: number of image rows
+    row_padding: number of unused bytes after each image row
+    module: one of message_modules
+    """
+    fields, is_bigendian = [], False
+    for name in points.dtype.names:
+        number_type, offset = points.dtype.fields[name][:2]
+        fields.append(module.PointField(
+            name=name, offset=offset, count=int(np.prod(number_type.shape)),
+            datatype=datatype_of[number_type.base.str[1:]]))
+        is_bigendian = is_bigendian or number_type.base.str[0] == ">"
+    width, point_step = len(points) // height, points.dtype.itemsize
+    image_rows = [points[row * width:(row + 1) * width].tobytes() + bytes(row_padding)
+                  for row in range(height)]
+    return module.PointCloud2(
+        fields=fields, data=data(b"".join(image_rows)), width=width, height=height,
+        point_step=point_step, row_step=width * point_step + row_padding,
+        is_bigendian=is_bigendian)
 
 
-def rows_of(points, layout):
-    """Points as a structured array; fields other than x, y and z are 0."""
-    rows = np.zeros(len(points), np.dtype(layout))
-    for axis, numbers in zip("xyz", points.T):
-        rows[axis] = numbers
-    return rows
+def structured(points, layout):
+    """Points as a structured array; fields other than x, y and z are 0.
+
+    layout: the dtype of the array
+    """
+    array_of_fields = np.zeros(len(points), np.dtype(layout))
+    for axis, coordinates in zip("xyz", points.T):
+        array_of_fields[axis] = coordinates
+    return array_of_fields
 
 
-def padded(kind, names="xyz"):
+def padded(number_type, names="xyz"):
     """A layout of fields 16 bytes apart, with 12 unused bytes before the first one."""
-    return {"names": list(names), "formats": [kind] * 3, "offsets": [12, 28, 44], "itemsize": 64}
+    return {"names": list(names), "formats": [number_type] * 3, "offsets": [12, 28, 44],
+            "itemsize": 64}
 
 
 plain = [("x", "<f4"), ("y", "<f4"), ("z", "<f4")]
@@ -66,13 +81,14 @@ class Messages(unittest.TestCase):
         cls.labels = pcl_ops.segment(cls.points)[0]
 
     def assertSamePoints(self, msg):
+        """Returns the cloud of a message; fails unless it has the points and labels of the class."""
         cloud = pcl_ops.from_message(msg)
         np.testing.assert_array_equal(cloud.points, self.points)
         np.testing.assert_array_equal(pcl_ops.segment(cloud.points)[0], self.labels)
         return cloud
 
     def test_any_layout_has_the_same_points(self):
-        for name, layout, *image in (
+        for name, layout, *height_and_padding in (
             ("plain", plain),
             ("padded", padded("<f4")),
             ("any order", padded("<f4", "zxy")),
@@ -83,43 +99,45 @@ class Messages(unittest.TestCase):
             ("organized", plain, 100),
             ("organized, rows padded", padded(">f8", "yzx"), 100, 24),
         ):
-            for kind in kinds:
-                with self.subTest(name, kind=kind):
-                    msg = message(rows_of(self.points, layout), bytes, *image, kind=kind)
+            for module in message_modules:
+                with self.subTest(name, module=module):
+                    msg = message(structured(self.points, layout), bytes, *height_and_padding,
+                                  module=module)
                     self.assertTrue(self.assertSamePoints(msg).points.dtype.isnative)
 
     def test_any_buffer_is_read(self):
-        rows = rows_of(self.points, padded("<f4"))
-        for data in (bytes, bytearray, memoryview, lambda text: array.array("B", text),
-                     lambda text: np.frombuffer(text, np.uint8)):
-            self.assertSamePoints(message(rows, data))
+        points = structured(self.points, padded("<f4"))
+        for data in (bytes, bytearray, memoryview, lambda buffer: array.array("B", buffer),
+                     lambda buffer: np.frombuffer(buffer, np.uint8)):
+            self.assertSamePoints(message(points, data))
 
-    def test_other_fields_come_along(self):
-        rows = rows_of(self.points, [*plain, ("label", "<u4"), ("normal", "<f4", 3)])
-        rows["label"] = np.arange(len(rows))
-        cloud = self.assertSamePoints(message(rows))
-        np.testing.assert_array_equal(cloud.labels, np.arange(len(rows)) - 1)
-        self.assertEqual(cloud.fields["normal"].shape, (len(rows), 3))
+    def test_other_fields_are_fields_of_the_cloud(self):
+        points = structured(self.points, [*plain, ("label", "<u4"), ("normal", "<f4", 3)])
+        points["label"] = np.arange(len(points))
+        cloud = self.assertSamePoints(message(points))
+        # Label 0 of a message is none, -1 of the cloud.
+        np.testing.assert_array_equal(cloud.labels, np.arange(len(points)) - 1)
+        self.assertEqual(cloud.fields["normal"].shape, (len(points), 3))
 
-    def test_whole_numbers_are_coordinates_and_no_points_are_a_cloud(self):
-        rows = np.array([(1, -2, 3)], [("x", "<i2"), ("y", "<i2"), ("z", "<i2")])
-        self.assertEqual(pcl_ops.from_message(message(rows)).points.tolist(), [[1, -2, 3]])
-        for kind in kinds:
-            empty = pcl_ops.from_message(message(np.zeros(0, plain), kind=kind)).points
+    def test_coordinates_may_be_integers_and_there_may_be_no_points(self):
+        integers = np.array([(1, -2, 3)], [("x", "<i2"), ("y", "<i2"), ("z", "<i2")])
+        self.assertEqual(pcl_ops.from_message(message(integers)).points.tolist(), [[1, -2, 3]])
+        for module in message_modules:
+            empty = pcl_ops.from_message(message(np.zeros(0, plain), module=module)).points
             self.assertEqual((empty.shape, empty.dtype), ((0, 3), np.float32))
 
     def test_what_is_no_cloud_is_refused(self):
-        rows = rows_of(self.points, padded("<f4"))
-        short, outside, nameless = message(rows), message(rows), message(rows)
-        short.data = short.data[:-1]
-        outside.fields[2].offset = 62
-        nameless.fields[0].name = "a"
-        several = message(np.zeros(1, [("x", "f4", 2), ("y", "f4", 2), ("z", "f4", 2)]))
+        points = structured(self.points, padded("<f4"))
+        without_last_byte, field_beyond_point, without_x = (message(points) for _ in range(3))
+        without_last_byte.data = without_last_byte.data[:-1]
+        field_beyond_point.fields[2].offset = 62  # 4 bytes from there on, of a point of 64
+        without_x.fields[0].name = "a"
+        two_x = message(np.zeros(1, [("x", "f4", 2), ("y", "f4", 2), ("z", "f4", 2)]))
         for msg, error, beginning in (
-            (short, ValueError, "msg: its fields, steps and data do not fit"),
-            (outside, ValueError, "msg: its fields, steps and data do not fit"),
-            (nameless, TypeError, "msg: has no number x for each point"),
-            (several, TypeError, "msg: has several numbers x, y or z for each point"),
+            (without_last_byte, ValueError, "msg: its fields, steps and data do not fit"),
+            (field_beyond_point, ValueError, "msg: its fields, steps and data do not fit"),
+            (without_x, TypeError, "msg: has no number x for each point"),
+            (two_x, TypeError, "msg: has several numbers x, y or z for each point"),
             (self.points, TypeError, "msg: is no PointCloud2: "),
         ):
             with self.subTest(beginning), self.assertRaisesRegex(error, "^" + beginning):
@@ -136,7 +154,7 @@ class Reader(unittest.TestCase):
         (self.folder / name).write_text(text)
         return self.folder / name
 
-    def test_reads_what_a_pcd_says(self):
+    def test_reads_points_viewpoint_and_fields_of_a_pcd(self):
         cloud = pcl_ops.read(self.file("é.pcd", (
             "VERSION .7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
             "WIDTH 2\nHEIGHT 1\nVIEWPOINT 1 2 3 1 0 0 0\nPOINTS 2\nDATA ascii\n"
@@ -147,7 +165,7 @@ class Reader(unittest.TestCase):
         self.assertEqual(cloud.fields["label"].tolist(), [0, 7])
         self.assertEqual(cloud.labels.tolist(), [-1, 6])
 
-    def test_keeps_the_digits_of_a_las(self):
+    def test_reads_coordinates_of_a_las_in_double_precision(self):
         millimeters = np.random.default_rng(1).integers(0, 10**6, (500, 3))
         expected = np.array([5e5, 5.4e6, 300.0]) + millimeters * 0.001
         (self.folder / "a.las").write_bytes(las(expected))
@@ -155,26 +173,28 @@ class Reader(unittest.TestCase):
         np.testing.assert_allclose(points, expected, rtol=0, atol=1e-6)
 
     def test_warns_of_a_reference_system_in_feet_or_degrees(self):
-        model, projected, geographic, linear_unit = 1024, 1, 2, 3076
+        # Ids of GeoTIFF keys, and their values.
+        model, linear_unit = 1024, 3076
+        projected, geographic, meter, us_survey_foot = 1, 2, 9001, 9003
         for keys, unit, codes in (
                 ((), None, []),
-                (((model, projected), (linear_unit, 9001)), "meter", []),
-                (((model, projected), (linear_unit, 9003)), "foot", ["feet"]),
+                (((model, projected), (linear_unit, meter)), "meter", []),
+                (((model, projected), (linear_unit, us_survey_foot)), "foot", ["feet"]),
                 (((model, geographic),), "degree", ["degrees"])):
             with self.subTest(unit), warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 (self.folder / "a.las").write_bytes(las(room()[:9], keys))
                 self.assertEqual(pcl_ops.read(self.folder / "a.las").unit, unit)
-                self.assertEqual([one.message.code for one in caught], codes)
-                self.assertTrue(all(one.filename == __file__ for one in caught))
+                self.assertEqual([warning.message.code for warning in caught], codes)
+                self.assertTrue(all(warning.filename == __file__ for warning in caught))
 
-    def test_reads_what_numpy_saved(self):
+    def test_reads_arrays_that_numpy_saved(self):
         file = self.folder / "a.npy"
-        for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"):
-            for shape in ((6, 4), (2, 3, 4)):
-                for order in "CF":
-                    with self.subTest(kind=kind, shape=shape, order=order):
-                        saved = np.asarray(np.arange(24).reshape(shape), kind, order)
+        for number_type in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"):
+            for shape in ((6, 4), (2, 3, 4)):  # a row of points and an image, x, y, z and a field
+                for order in "CF":  # by rows, as in C, and by columns, as in Fortran
+                    with self.subTest(number_type=number_type, shape=shape, order=order):
+                        saved = np.asarray(np.arange(24).reshape(shape), number_type, order)
                         np.save(file, saved)
                         cloud = pcl_ops.read(file)
                         rows = saved.reshape(6, 4)
@@ -182,7 +202,7 @@ class Reader(unittest.TestCase):
                         np.testing.assert_array_equal(cloud.fields["field_4"], rows[:, 3])
                         self.assertEqual(cloud.fields["field_4"].dtype, saved.dtype)
 
-    def test_says_what_is_wrong(self):
+    def test_raises_errors_that_name_the_file(self):
         with self.assertRaises(FileNotFoundError):
             pcl_ops.read(self.folder / "none.pcd")
         with self.assertRaises(IsADirectoryError):
@@ -191,7 +211,7 @@ class Reader(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, name):
                 pcl_ops.read(self.file(name, "broken\n"))
 
-    def test_leaves_the_descriptors_of_its_caller_open(self):
+    def test_refuses_a_file_descriptor_and_leaves_it_open(self):
         with open(self.file("a.xyz", "1 2 3\n"), encoding="ascii") as file:
             for path in (file.fileno(), True):
                 with self.assertRaisesRegex(ValueError, "path: has to be the name of a file"):
@@ -205,15 +225,16 @@ class Writer(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def written(self, name, *given, **named):
-        pcl_ops.write(self.folder / name, *given, **named)
+    def written(self, name, *arguments, **options):
+        """The cloud that is read from a file written with these arguments and options."""
+        pcl_ops.write(self.folder / name, *arguments, **options)
         return pcl_ops.read(self.folder / name)
 
-    def test_what_is_read_comes_back(self):
+    def test_points_labels_fields_and_pose_come_back(self):
         points = np.array([[5e5, 1, 2], [np.nan, 3, 4], [5, 6, 7], [8, 9, 1]])
         cloud = pcl_ops.Cloud(points, np.array([1.0, 2, 3]), {
             "intensity": np.uint16([1, 2, 3, 4]), "normal": np.ones((4, 3), np.float32)},
-            2, (0.0, 1.0, 0.0, 0.0))
+            height=2, orientation=(0.0, 1.0, 0.0, 0.0))
         back = self.written("a.pcd", cloud, np.array([1, -1, 0, 0]))
         np.testing.assert_array_equal(back.points, points)
         self.assertEqual(back.labels.tolist(), [1, -1, 0, 0])
@@ -222,11 +243,12 @@ class Writer(unittest.TestCase):
         self.assertEqual(back.viewpoint.tolist(), [1, 2, 3])
         self.assertEqual((back.height, back.orientation), (2, cloud.orientation))
 
-    def test_an_array_or_an_image_is_a_cloud(self):
+    def test_an_array_of_rows_or_of_an_image_is_a_cloud(self):
         points = np.arange(24, dtype=np.float32).reshape(2, 4, 3)
-        for array, labels in ((points, np.zeros((2, 4), int)), (points.reshape(8, 3), None)):
+        for image_or_rows, labels in ((points, np.zeros((2, 4), int)),
+                                      (points.reshape(8, 3), None)):
             for name in ("a.pcd", "a.ply"):
-                cloud = self.written(name, array, labels)
+                cloud = self.written(name, image_or_rows, labels)
                 np.testing.assert_array_equal(cloud.points, points.reshape(8, 3))
                 self.assertEqual(cloud.labels is None, labels is None)
         self.assertEqual(self.written("a.pcd", points).height, 2)
@@ -234,7 +256,7 @@ class Writer(unittest.TestCase):
     def test_labels_of_an_image_have_its_shape_or_are_in_a_row(self):
         points = np.arange(24, dtype=np.float32).reshape(2, 4, 3)
         labels = np.arange(8).reshape(2, 4)
-        cloud = pcl_ops.Cloud(points.reshape(8, 3), np.zeros(3), {}, 2)
+        cloud = pcl_ops.Cloud(points.reshape(8, 3), np.zeros(3), {}, height=2)
         for given in (points, cloud):
             for fitting in (labels, labels.ravel()):
                 back = self.written("a.pcd", given, fitting, distances=0.5 * fitting)
@@ -249,35 +271,36 @@ class Writer(unittest.TestCase):
 
     def test_large_labels_come_back(self):
         points = np.zeros((3, 3), np.float32)
-        for largest, kind in ((2**31 - 1, np.int32), (2**31, np.int64), (2**32 - 3, np.int64)):
+        for largest, dtype in ((2**31 - 1, np.int32), (2**31, np.int64), (2**32 - 3, np.int64)):
             back = self.written("a.pcd", points, np.array([-1, 0, largest])).labels
-            self.assertEqual((back.tolist(), back.dtype), ([-1, 0, largest], kind))
+            self.assertEqual((back.tolist(), back.dtype), ([-1, 0, largest], dtype))
 
     def test_points_that_were_moved_are_written_with_the_other_fields(self):
-        cloud = pcl_ops.from_message(message(rows_of(room(), [*plain, ("ring", "u1")])))
+        cloud = pcl_ops.from_message(message(structured(room(), [*plain, ("ring", "u1")])))
         moved = self.written("a.ply", cloud._replace(points=cloud.points + np.float32(1)))
         np.testing.assert_array_equal(moved.points, room() + np.float32(1))
         self.assertIn("ring", moved.fields)
 
-    def test_a_las_keeps_its_bytes_and_gets_distances(self):
+    def test_a_las_is_replaced_by_itself_with_labels_and_distances(self):
         points = room()[np.isfinite(room()[:, 0])]
         (self.folder / "a.las").write_bytes(las(points))
         cloud = pcl_ops.read(self.folder / "a.las")
         labels, planes = pcl_ops.segment(cloud.points)
         distances = planes[0].distances(cloud.points)
-        back = self.written("a.las", cloud, labels, distances=distances)  # over itself
+        back = self.written("a.las", cloud, labels, distances=distances)
         np.testing.assert_array_equal(back.points, cloud.points)
         np.testing.assert_array_equal(back.labels, labels)
+        # The 20 bytes of a point are followed by its label and its distance, of 4 bytes each.
         records = (self.folder / "a.las").read_bytes()[-28 * len(points):]
-        np.testing.assert_array_equal(np.frombuffer(records, "<f4").reshape(-1, 7)[:, 6],
-                                      distances.astype(np.float32))
+        distances_in_file = np.frombuffer(records, "<f4").reshape(-1, 7)[:, 6]
+        np.testing.assert_array_equal(distances_in_file, distances.astype(np.float32))
 
-    def test_says_what_is_wrong(self):
+    def test_raises_errors_that_name_what_is_wrong(self):
         points = room()
         (self.folder / "a.las").write_bytes(las(points[np.isfinite(points[:, 0])]))
         survey = pcl_ops.read(self.folder / "a.las")
         labels = np.zeros(len(points), int)
-        for name, cloud, given, error, said in (
+        for name, cloud, arguments, error, part_of_message in (
             ("a.png", points, {}, ValueError, "a.png: has an unknown extension; give .pcd, .ply"),
             ("b.las", points, {"labels": labels}, ValueError, "b.las: is LAS, which the cloud was"),
             ("b.las", survey, {}, ValueError, "labels: are what is added to a .las"),
@@ -314,13 +337,14 @@ class Writer(unittest.TestCase):
              "labels: a masked array"),
             ("b.pcd", np.zeros((5, 3), int), {}, TypeError, "points: dtype"),
         ):
-            with self.subTest(said), self.assertRaisesRegex(error, re.escape(said)):
-                pcl_ops.write(self.folder / name, cloud, **given)
+            with self.subTest(part_of_message), \
+                    self.assertRaisesRegex(error, re.escape(part_of_message)):
+                pcl_ops.write(self.folder / name, cloud, **arguments)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["a.las"])
 
 
 class FakeNode:
-    """What the example asks of ROS 2's Node."""
+    """A class with the members of ROS 2's Node that plane_node.py uses."""
 
     def __init__(self, name):
         self.create_subscription = mock.Mock()
@@ -335,12 +359,12 @@ class FakeNode:
 
 
 class RosNode(unittest.TestCase):
-    """The example, without ROS 2."""
+    """plane_node.py, without ROS 2."""
 
     def test_publishes_labels_and_outlines(self):
-        parts = types.SimpleNamespace
-        messages = mock.Mock(PointCloud2=parts, PointField=parts, Point=parts, MarkerArray=parts,
-                             Marker=mock.Mock(side_effect=mock.Mock))
+        any_members = types.SimpleNamespace
+        messages = mock.Mock(PointCloud2=any_members, PointField=any_members, Point=any_members,
+                             MarkerArray=any_members, Marker=mock.Mock(side_effect=mock.Mock))
         modules = {f"{name}_msgs.msg": messages
                    for name in ("geometry", "sensor", "std", "visualization")}
         modules.update({"rclpy": mock.Mock(), "rclpy.node": mock.Mock(Node=FakeNode),
@@ -349,14 +373,15 @@ class RosNode(unittest.TestCase):
         with mock.patch.dict(sys.modules, modules):
             node = runpy.run_path(str(file))["PlaneNode"]()
         for points in (room(), np.zeros((0, 3), np.float32)):
-            msg = message(rows_of(points, plain), kind=kinds[0])
+            msg = message(structured(points, plain), module=message_modules[0])
             msg.header, msg.is_dense = "here", False
-            node.hear(msg)
+            node.publish_planes(msg)
             cloud = pcl_ops.from_message(node.labelled.publish.call_args[0][0])
             np.testing.assert_array_equal(cloud.points, points)
-            expected, planes = pcl_ops.segment(points) if len(points) else ([], [])
-            np.testing.assert_array_equal(cloud.labels, expected)
+            labels, planes = pcl_ops.segment(points) if len(points) else ([], [])
+            np.testing.assert_array_equal(cloud.labels, labels)
+            # The first marker deletes those of the frame before.
             outlines = node.planes.publish.call_args[0][0].markers[1:]
-            self.assertEqual([one.id for one in outlines], list(range(1, len(planes) + 1)))
-            for one, plane in zip(outlines, planes):
-                self.assertEqual(len(one.points), len(plane.hull) + 1)
+            self.assertEqual([outline.id for outline in outlines], list(range(1, len(planes) + 1)))
+            for outline, plane in zip(outlines, planes):
+                self.assertEqual(len(outline.points), len(plane.hull) + 1)

@@ -15,7 +15,16 @@ import pcl_ops
 from scene import room
 
 examples = pathlib.Path(__file__).parents[2] / "apps/examples"
-script = examples / "plane_picture.py"
+
+
+def run_example(folder, example, *arguments, check=True):
+    """Runs an example in a folder and returns its output and errors.
+
+    check: whether the example has to succeed
+    """
+    return subprocess.run([sys.executable, "-B", examples / example, *arguments],
+                          check=check, capture_output=True, text=True, cwd=folder,
+                          env={**os.environ, "MPLCONFIGDIR": str(folder)})
 
 
 class Installed(unittest.TestCase):
@@ -24,70 +33,58 @@ class Installed(unittest.TestCase):
 
 
 @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
-class Example(unittest.TestCase):
-    def test_draws_its_room_and_arrays_of_files(self):
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def test_of_planes_are_drawn_of_the_room_of_the_example_and_of_files(self):
         import matplotlib.pyplot as plt
 
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            np.save(folder / "room.npy", room())
-            np.savetxt(folder / "room.xyz", room())
-            for cloud, said in (
-                ([], r"horizontal, (19|20)\.\d\d m2.*(\n.*){3}\n4 planes\n$"),
-                (["room.npy"], "\n3 planes\n"),
-                (["room.xyz"], "\n3 planes\n"),
-            ):
-                run = subprocess.run([sys.executable, "-B", script, "picture.png", *cloud],
-                                     check=True, capture_output=True, text=True, cwd=folder,
-                                     env={**os.environ, "MPLCONFIGDIR": name})
-                self.assertRegex(run.stdout, said)
-                picture = plt.imread(folder / "picture.png")
+        np.save(self.folder / "room.npy", room())
+        np.savetxt(self.folder / "room.xyz", room())
+        for files, expected in (
+            ([], r"horizontal, (19|20)\.\d\d m2.*(\n.*){3}\n4 planes\n$"),
+            (["room.npy"], "\n3 planes\n"),
+            (["room.xyz"], "\n3 planes\n"),
+        ):
+            with self.subTest(files):
+                run = run_example(self.folder, "plane_picture.py", "picture.png", *files)
+                self.assertRegex(run.stdout, expected)
+                picture = plt.imread(self.folder / "picture.png")
                 colors = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
                 self.assertGreater(len(colors), 100)
 
-    def test_finds_planes_with_normals_towards_the_sensor_of_the_file(self):
-        with tempfile.TemporaryDirectory() as name:
-            for height, normal in ((1.5, r"1\."), (-9.0, r"-1\.")):
-                cloud = pcl_ops.Cloud(room(), np.array([2.0, 1.5, height]), {})
-                pcl_ops.write(pathlib.Path(name) / "room.pcd", cloud)
-                run = subprocess.run([sys.executable, "-B", script, "picture.png", "room.pcd"],
-                                     check=True, capture_output=True, text=True, cwd=name,
-                                     env={**os.environ, "MPLCONFIGDIR": name})
-                self.assertRegex(run.stdout, rf"horizontal, .* {normal} *\]\n")
+    def test_of_planes_come_with_normals_towards_the_sensor_of_the_file(self):
+        for height_of_sensor, z_of_normal in ((1.5, r"1\."), (-9.0, r"-1\.")):
+            cloud = pcl_ops.Cloud(room(), np.array([2.0, 1.5, height_of_sensor]), {})
+            pcl_ops.write(self.folder / "room.pcd", cloud)
+            run = run_example(self.folder, "plane_picture.py", "picture.png", "room.pcd")
+            self.assertRegex(run.stdout, rf"horizontal, .* {z_of_normal} *\]\n")
 
-    def test_writes_no_picture_that_is_called_as_an_option(self):
-        for example in (script, examples / "noise_picture.py", examples / "plan_picture.py"):
-            with tempfile.TemporaryDirectory() as name:
-                run = subprocess.run([sys.executable, "-B", example, "--help", "room.npy"],
-                                     capture_output=True, text=True, cwd=name,
-                                     env={**os.environ, "MPLCONFIGDIR": name})
-                self.assertIn("Usage: ", run.stderr)
-                self.assertFalse(list(pathlib.Path(name).glob("*.png")))
+    def test_are_not_written_to_a_file_with_the_name_of_an_option(self):
+        for example in ("plane_picture.py", "noise_picture.py", "plan_picture.py"):
+            run = run_example(self.folder, example, "--help", "room.npy", check=False)
+            self.assertIn("Usage: ", run.stderr)
+            self.assertFalse(list(self.folder.glob("*.png")))
 
-    def test_draws_plans_over_points(self):
+    def test_of_floor_plans_have_black_walls(self):
         import matplotlib.pyplot as plt
 
-        with tempfile.TemporaryDirectory() as name:
-            pcl_ops.write(pathlib.Path(name) / "room.pcd", room())
-            run = subprocess.run(
-                [sys.executable, "-B", examples / "plan_picture.py", "plan.png", "room.pcd"],
-                check=True, capture_output=True, text=True, cwd=name,
-                env={**os.environ, "MPLCONFIGDIR": name})
-            self.assertEqual(run.stdout, "room.pcd: 2 walls, 0 rooms\n")
-            picture = plt.imread(pathlib.Path(name) / "plan.png")[..., :3]
-            self.assertGreater((picture.max(axis=2) < 0.1).mean(), 0.001, "walls are black")
+        pcl_ops.write(self.folder / "room.pcd", room())
+        run = run_example(self.folder, "plan_picture.py", "plan.png", "room.pcd")
+        self.assertEqual(run.stdout, "room.pcd: 2 walls, 0 rooms\n")
+        colors = plt.imread(self.folder / "plan.png")[..., :3]
+        is_black = colors.max(axis=2) < 0.1
+        self.assertGreater(is_black.mean(), 0.001)
 
-    def test_draws_the_noise_of_clouds(self):
+    def test_of_the_noise_of_two_clouds_are_wide(self):
         import matplotlib.pyplot as plt
 
-        with tempfile.TemporaryDirectory() as name:
-            np.save(pathlib.Path(name) / "room.npy", room())
-            np.save(pathlib.Path(name) / "few.npy", room()[:20])
-            run = subprocess.run(
-                [sys.executable, "-B", examples / "noise_picture.py", "noise.png", "room.npy",
-                 "few.npy"], check=True, capture_output=True, text=True, cwd=name,
-                env={**os.environ, "MPLCONFIGDIR": name})
-            self.assertRegex(run.stdout, r"^room: \d\.\d to \d\.\d mm\nfew: not known\n$")
-            picture = plt.imread(pathlib.Path(name) / "noise.png")
-            self.assertGreater(picture.shape[1], picture.shape[0])
-
+        np.save(self.folder / "room.npy", room())
+        np.save(self.folder / "few.npy", room()[:20])  # too few points for a noise
+        run = run_example(self.folder, "noise_picture.py", "noise.png", "room.npy", "few.npy")
+        self.assertRegex(run.stdout, r"^room: \d\.\d to \d\.\d mm\nfew: not known\n$")
+        height, width, _ = plt.imread(self.folder / "noise.png").shape
+        self.assertGreater(width, height)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages for a browser."""
+"""Pages for a browser, by write_html."""
 
 import base64
 import json
@@ -35,28 +35,32 @@ class Page(unittest.TestCase):
         return self.path.read_text(encoding="utf-8")
 
     def groups(self, page):
-        """The number of points and the positions of the shown ones of each group of a page."""
-        numbers = np.frombuffer(base64.b64decode(part_of(page, "places")), "<u2").reshape(-1, 3)
-        for group in json.loads(part_of(page, "groups")):
-            steps, numbers = numbers[:group["shown"]], numbers[group["shown"]:]
-            yield group["all"], np.asarray(group["origin"]) + steps * group["step"]
-        self.assertEqual(len(numbers), 0)
+        """The groups of points of a page: those of each plane, then those on no plane.
 
-    def test_has_all_points_by_planes_far_from_zero_too(self):
+        Yields for each group its number of points, and the positions of the points that are shown.
+        """
+        # Three integers for each shown point: steps from the origin of its group.
+        steps_left = np.frombuffer(base64.b64decode(part_of(page, "steps")), "<u2").reshape(-1, 3)
+        for group in json.loads(part_of(page, "groups")):
+            steps, steps_left = np.split(steps_left, [group["shown"]])
+            yield group["all"], np.asarray(group["origin"]) + steps * group["step"]
+        self.assertEqual(len(steps_left), 0)
+
+    def test_has_all_points_in_groups_by_plane_also_far_from_zero(self):
         for shift in (0.0, 5e6):
             moved = points.astype(float) + shift
-            found = pcl_ops.segment(moved, viewpoint=viewpoint + shift)
-            groups = list(self.groups(self.page(moved, *found)))
-            self.assertEqual(len(groups), len(found[1]) + 1)
-            finite = np.isfinite(moved).all(axis=1)
-            for i, (number, positions) in enumerate(groups):
-                inside = moved[finite & (found[0] == (i if i < len(found[1]) else -1))]
-                self.assertEqual((number, len(positions)), (len(inside), len(inside)))
+            moved_labels, moved_planes = pcl_ops.segment(moved, viewpoint=viewpoint + shift)
+            groups = list(self.groups(self.page(moved, moved_labels, moved_planes)))
+            self.assertEqual(len(groups), len(moved_planes) + 1)
+            is_finite = np.isfinite(moved).all(axis=1)
+            for label, (number, positions) in zip([*range(len(moved_planes)), -1], groups):
+                expected = moved[is_finite & (moved_labels == label)]
+                self.assertEqual((number, len(positions)), (len(expected), len(expected)))
                 for axis in range(3):
-                    np.testing.assert_allclose(np.sort(positions[:, axis]), np.sort(inside[:, axis]),
-                                               rtol=0, atol=1e-4)
+                    np.testing.assert_allclose(np.sort(positions[:, axis]),
+                                               np.sort(expected[:, axis]), rtol=0, atol=1e-4)
 
-    def test_describes_planes_and_where_they_meet(self):
+    def test_describes_planes_and_their_edges(self):
         description = json.loads(part_of(self.page(points, labels, planes), "description"))
         self.assertEqual(description["title"], "room.html")
         self.assertFalse(description["backs"])
@@ -64,22 +68,25 @@ class Page(unittest.TestCase):
             self.assertEqual((shown["orientation"], shown["area"], shown["rms"]),
                              (plane.orientation, plane.area, plane.rms))
             np.testing.assert_array_equal(shown["hull"], plane.hull)
-        self.assertEqual([round(one["slope"]) for one in description["planes"]], [0, 90, 90])
-        self.assertEqual(len({one["color"] for one in description["planes"]}), 3)
-        self.assertEqual(len(description["edges"]), len(pcl_ops.find_plane_edges(planes)[0]))
-        self.assertGreater(np.dot(description["view"], viewpoint - (2, 1.5, 1)), 0)
+        self.assertEqual([round(shown["slope"]) for shown in description["planes"]], [0, 90, 90])
+        self.assertEqual(len({shown["color"] for shown in description["planes"]}), 3)
+        edges, _ = pcl_ops.find_plane_edges(planes)
+        self.assertEqual(len(description["edges"]), len(edges))
+        middle_of_room = (2, 1.5, 1)
+        self.assertGreater(np.dot(description["view"], viewpoint - middle_of_room), 0,
+                           "the view is from the side of the sensor")
 
-    def test_of_many_points_shows_some_of_each_plane(self):
+    def test_shows_at_most_max_points_and_some_of_each_plane(self):
         groups = list(self.groups(self.page(points, labels, planes, max_points=1000, title="<b>")))
         self.assertLessEqual(sum(len(positions) for _, positions in groups), 1000)
         self.assertTrue(all(len(positions) >= 100 for _, positions in groups[:3]))
         self.assertEqual(groups[0][0], np.count_nonzero(labels == 0))
 
-    def test_without_planes_is_a_page(self):
+    def test_without_planes_has_all_finite_points_in_one_group(self):
         page = self.page(points, np.full(len(points), -1), [])
         self.assertEqual([number for number, _ in self.groups(page)], [29500])
 
-    def test_wrong_arguments_name_the_one_at_fault(self):
+    def test_is_not_written_if_an_argument_is_wrong_which_the_error_names(self):
         for problem, arguments, options in (
             ("labels: shape", (points, labels[1:], planes), {}),
             ("labels: the label 2 is none of 2 planes", (points, labels, planes[:2]), {}),
@@ -91,7 +98,7 @@ class Page(unittest.TestCase):
                 self.page(*arguments, **options)
         self.assertFalse(self.path.exists())
 
-    def test_a_file_that_cannot_be_written_is_an_error_of_the_system(self):
+    def test_in_a_folder_that_does_not_exist_is_an_os_error(self):
         path = self.path.parent / "nowhere" / "room.html"
         with self.assertRaisesRegex(OSError, "its folder does not exist"):
             pcl_ops.write_html(path, points, labels, planes)

@@ -19,7 +19,7 @@ from unittest import mock
 
 import numpy as np
 import pcl_ops
-from scene import room, seen_from, surface, turn
+from scene import room, seen_from, surface, turned_pose
 
 viewpoint = np.array([3.5, 0.3, 1.5])
 points = room()
@@ -33,7 +33,7 @@ class Planes(unittest.TestCase):
         np.testing.assert_allclose(floor.normal, (0, 0, 1), atol=0.01)
         np.testing.assert_allclose(below[0].normal, (0, 0, -1), atol=0.01)
 
-    def test_independent_covariance_is_that_of_heights_over_the_axes(self):
+    def test_independent_covariance_is_that_of_a_least_squares_fit_of_heights_over_the_axes(self):
         for plane in planes:
             local = points[plane.inliers] - plane.centroid
             rows = np.column_stack([local @ plane.axes.T, np.ones(len(local))])
@@ -47,13 +47,13 @@ class Planes(unittest.TestCase):
         x_and_y = np.mgrid[0:100, 0:100].reshape(2, -1) * 0.02 + 1e6
         # Blocks of width x width points have the same error. The variances of the plane grow by
         # the number of points in a block, 1 or 100, over those for independent errors.
-        for width, least, most in ((1, 0.5, 10.0), (10, 50.0, 1000.0)):
+        for width, min_ratio, max_ratio in ((1, 0.5, 10.0), (10, 50.0, 1000.0)):
             noise = rng.normal(0.0, 0.01, (100 // width, 100 // width)).repeat(width, 0)
             noisy = np.column_stack([*x_and_y, noise.repeat(width, 1).ravel()])
             # Without the threshold each block would be a plane.
             plane = pcl_ops.segment(noisy, distance_threshold=0.05)[1][0]
             ratio = np.diag(plane.covariance) / np.diag(plane.independent_covariance)
-            self.assertTrue((ratio > least).all() and (ratio < most).all(), ratio)
+            self.assertTrue((ratio > min_ratio).all() and (ratio < max_ratio).all(), ratio)
 
     def test_come_with_the_lengths_that_were_used(self):
         self.assertIsNone(planes.voxel_size)  # neighborhoods have none
@@ -69,8 +69,8 @@ class Planes(unittest.TestCase):
         for plane in planes:
             self.assertTrue(plane.rms / 2 < plane.noise < 2 * plane.rms, plane.noise)
         self.assertIsNone(pcl_ops.segment(points, "kht")[1][0].noise)
-        left = pcl_ops.merge_planes(planes, enabled=False)[0]
-        self.assertEqual([plane.noise for plane in left], [plane.noise for plane in planes])
+        unmerged = pcl_ops.merge_planes(planes, enabled=False)[0]
+        self.assertEqual([plane.noise for plane in unmerged], [plane.noise for plane in planes])
 
     def test_distances_are_signed_and_those_of_any_points(self):
         above = np.float32([[1, 1, 0.5], [1, 1, -0.25], [np.nan, 1, 1]])
@@ -139,10 +139,10 @@ class Planes(unittest.TestCase):
     def test_keep_their_kinds_where_the_list_changes(self):
         expected = [plane.kind for plane in pcl_ops.segment(points)[1]]
         changed = pcl_ops.segment(points)[1]
-        taken = changed.pop(2)
+        removed = changed.pop(2)
         changed.clear()
         # Kinds are found when the first one is asked for, here after the changes.
-        self.assertEqual(taken.kind, expected[2])
+        self.assertEqual(removed.kind, expected[2])
 
     def test_of_a_room_make_a_floor_plan(self):
         door = (1.0, 1.9)
@@ -461,7 +461,7 @@ class Edges(unittest.TestCase):
 
 
 class Merging(unittest.TestCase):
-    def test_joins_what_is_one_plane(self):
+    def test_joins_two_parts_of_a_floor_but_no_step(self):
         # Two parts of a floor with a gap, and a step of 12 cm beside them.
         parts = pcl_ops.segment(np.vstack([
             surface((0, 0, 0), (2, 0, 0), (0, 2, 0), 9000, seed=1),
@@ -509,21 +509,21 @@ class FilterPlanes(unittest.TestCase):
         self.assertEqual((kept, dropped["orientation"], dropped["min_area"]), ([], 1, 2))
 
 
-class OtherFrames(unittest.TestCase):
-    poses = [turn(degrees) for degrees in (0, 20, 40)]
+class Frames(unittest.TestCase):
+    poses = [turned_pose(degrees) for degrees in (0, 20, 40)]
     frames = [pcl_ops.segment(seen_from(pose, points))[1] for pose in poses]
 
     def test_matching_finds_planes_where_a_frame_has_moved_and_corrects_the_pose(self):
-        pose = turn(50)
+        pose = turned_pose(50)
         pose[:3, 3] = (1, 2, 0.5)
         current = pcl_ops.segment(seen_from(pose, points))[1]
         matches, _ = pcl_ops.match_planes(planes, current[::-1], pose)
         self.assertEqual((matches.dtype, matches.tolist()), (np.int32, [2, 1, 0]))
         self.assertEqual(pcl_ops.match_planes(planes, current)[0].tolist(), [-1, -1, -1])
-        current = pcl_ops.segment(seen_from(turn(4), points))[1]
+        current = pcl_ops.segment(seen_from(turned_pose(4), points))[1]
         matches, pose = pcl_ops.match_planes(planes, current)
         self.assertEqual(matches.tolist(), [0, 1, 2])
-        np.testing.assert_allclose(pose, turn(4), atol=0.01)
+        np.testing.assert_allclose(pose, turned_pose(4), atol=0.01)
         matches, pose = pcl_ops.match_planes(
             planes, current, rotation_error=0.0, translation_error=0.0)
         self.assertLess(matches[1], 0)
@@ -551,13 +551,13 @@ class OtherFrames(unittest.TestCase):
         table = surface((1, 1, 0.7), (1, 0, 0), (0, 0.8, 0), 4000)
         scene = np.vstack([points, table])
         level = np.eye(4)
-        # The pose that the points are seen from, and the one that the tracker is told.
-        for pose, told in ((level, level), (tilt, tilt), (tilt, level)):
+        # The true pose of the sensor, and the one that the tracker is given.
+        for pose, given_pose in ((level, level), (tilt, tilt), (tilt, level)):
             turn_back = pose[:3, :3].T
             found = pcl_ops.segment(
                 seen_from(pose, scene), up=turn_back @ (0, 0, 1), viewpoint=turn_back @ viewpoint)[1]
             tracker = pcl_ops.PlaneTracker()
-            tracker.track(found, told)
+            tracker.track(found, given_pose)
             for one in (tracker, copy.copy(tracker)):
                 kinds = [tracked.plane.kind for tracked in one.planes]
                 self.assertEqual(kinds, ["floor", "wall", "wall", "table"])
@@ -607,16 +607,16 @@ class OtherFrames(unittest.TestCase):
         of_a_camera = pcl_ops.segment(points, up=(0, -1, 0))[1]
         self.assertEqual(codes((0.1, 0, 1), of_a_camera), [])
 
-    def test_tracker_forgets(self):
+    def test_tracker_forgets_planes_out_of_sight_by_memory_and_far_ones_by_max_distance(self):
         tracker = pcl_ops.PlaneTracker(memory=0)
         for shown, expected in ((planes, [1, 2, 3]), ([], []), (planes, [4, 5, 6])):
             self.assertEqual(tracker.track(shown).tolist(), expected)
         tracker = pcl_ops.PlaneTracker(max_distance=50.0)
         tracker.track(planes)
-        tracker.track([], turn(0) + [[0, 0, 0, 100.0], [0] * 4, [0] * 4, [0] * 4])
+        tracker.track([], turned_pose(0) + [[0, 0, 0, 100.0], [0] * 4, [0] * 4, [0] * 4])
         self.assertEqual(tracker.planes, [])
 
-    def test_copies_of_a_tracker_are_apart_and_pickling_is_refused(self):
+    def test_copies_of_a_tracker_are_independent_and_pickling_is_refused(self):
         tracker = pcl_ops.PlaneTracker()
         tracker.track(self.frames[0])
         for copied in (copy.copy(tracker), copy.deepcopy(tracker)):
@@ -645,7 +645,7 @@ class Kinds(unittest.TestCase):
         self.assertIn("horizontal, floor,", repr(floor))
 
 
-class Mistakes(unittest.TestCase):
+class WrongArguments(unittest.TestCase):
     def test_in_names_of_parameters_are_answered_with_the_nearest(self):
         with self.assertRaisesRegex(ValueError, "min_point: .*did you mean min_points"):
             pcl_ops.filter_planes(planes, min_point=100)

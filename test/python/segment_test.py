@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays of any layout in memory get the same labels; errors name the argument that is wrong, and
-nothing crashes; other threads of Python run while planes are looked for."""
+"""Calls of segment and others: layouts of arrays in memory, warnings, errors that name the argument
+that is wrong, and threads."""
 
 import concurrent.futures
 import os
@@ -24,13 +24,14 @@ points = room()
 labels, planes = pcl_ops.segment(points)
 
 
-def unaligned(points, kind):
-    record = np.zeros(len(points), [("intensity", "u1"), ("xyz", kind, 3)])
+def unaligned(points, number_type):
+    """The points in an array whose numbers follow a byte each and so are at odd addresses."""
+    record = np.zeros(len(points), [("intensity", "u1"), ("xyz", number_type, 3)])
     record["xyz"] = points
     return record["xyz"]
 
 
-# The ways in which an array can lie in memory, as functions that make it so.
+# Functions that return equal points in another layout in memory.
 layouts = {
     "Fortran order": np.asfortranarray,
     "columns of a wider array": lambda points: np.tile(points, 3)[:, 3:6],
@@ -52,20 +53,21 @@ class Arrays(unittest.TestCase):
             np.testing.assert_array_equal(np.flatnonzero(labels == number), plane.inliers)
         self.assertEqual((labels.dtype, labels.shape), (np.int32, (len(points),)))
         self.assertEqual(set(labels[np.isnan(points[:, 0])]), {-1})
-        for name, laid_out in layouts.items():
+        for name, in_layout in layouts.items():
             with self.subTest(name):
-                found, same = pcl_ops.segment(laid_out(points))
-                np.testing.assert_array_equal(found, labels)
-                for plane, expected in zip(same, planes):
+                found_labels, found_planes = pcl_ops.segment(in_layout(points))
+                np.testing.assert_array_equal(found_labels, labels)
+                for plane, expected in zip(found_planes, planes):
                     np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
 
     def test_planes_with_fewer_points_than_the_minimum_are_left_out(self):
         smallest = len(planes) - 1
-        found, large = pcl_ops.segment(points, min_points=len(planes[smallest].inliers) + 1)
-        self.assertEqual(len(large), smallest)
-        np.testing.assert_array_equal(found, np.where(labels == smallest, -1, labels))
+        found_labels, large_planes = pcl_ops.segment(
+            points, min_points=len(planes[smallest].inliers) + 1)
+        self.assertEqual(len(large_planes), smallest)
+        np.testing.assert_array_equal(found_labels, np.where(labels == smallest, -1, labels))
 
-    def test_a_fourth_number_of_each_point_is_not_looked_at(self):
+    def test_a_fourth_number_of_each_point_has_no_effect(self):
         with_intensity = np.column_stack([points, np.full(len(points), 0.5, np.float32)])
         np.testing.assert_array_equal(pcl_ops.segment(with_intensity)[0], labels)
 
@@ -73,29 +75,33 @@ class Arrays(unittest.TestCase):
         for width in (3, 4):
             image = np.zeros((100, len(points) // 100, width), np.float32)
             image[..., :3] = points.reshape(100, -1, 3)
-            found, same = pcl_ops.segment(image)
-            self.assertEqual(found.shape, image.shape[:2])
-            np.testing.assert_array_equal(found.ravel(), labels)
-            np.testing.assert_array_equal(same[0].inliers, planes[0].inliers)
-            self.assertEqual(pcl_ops.evaluate(found, found, image)["f_score"], 1.0)
+            labels_of_image, planes_of_image = pcl_ops.segment(image)
+            self.assertEqual(labels_of_image.shape, image.shape[:2])
+            np.testing.assert_array_equal(labels_of_image.ravel(), labels)
+            np.testing.assert_array_equal(planes_of_image[0].inliers, planes[0].inliers)
+            metrics = pcl_ops.evaluate(labels_of_image, labels_of_image, image)
+            self.assertEqual(metrics["f_score"], 1.0)
 
-    def test_planes_of_one_image_given_twice_are_of_one_array(self):
+    def test_planes_of_two_calls_with_one_image_can_be_merged(self):
         image = points.reshape(100, -1, 3)
-        of_both = pcl_ops.segment(image)[1][:1] + pcl_ops.segment(image)[1][1:]
-        self.assertEqual(len(pcl_ops.merge_planes(of_both)[0]), 3)
+        of_both_calls = pcl_ops.segment(image)[1][:1] + pcl_ops.segment(image)[1][1:]
+        self.assertEqual(len(pcl_ops.merge_planes(of_both_calls)[0]), 3)
+        of_half_the_image = pcl_ops.segment(image[50:])[1]
         with self.assertRaisesRegex(ValueError, "different arrays"):
-            pcl_ops.merge_planes(of_both + pcl_ops.segment(image[50:])[1])
+            pcl_ops.merge_planes(of_both_calls + of_half_the_image)
 
 
 class Warnings(unittest.TestCase):
     def doubts(self, call):
-        """The codes of the warnings of a call, and what it returns."""
+        """The codes of the ResultWarnings of a call, and the result of the call."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             result = call()
-        return [one.message.code for one in caught if one.category is pcl_ops.ResultWarning], result
+        codes = [warning.message.code for warning in caught
+                 if warning.category is pcl_ops.ResultWarning]
+        return codes, result
 
-    def test_are_none_of_an_ordinary_room(self):
+    def test_there_are_none_for_an_ordinary_room(self):
         codes, (_, found) = self.doubts(lambda: pcl_ops.segment(points))
         self.assertEqual((codes, list(found.warnings)), ([], []))
 
@@ -104,33 +110,40 @@ class Warnings(unittest.TestCase):
         self.assertEqual(codes, ["millimeters"])
         self.assertEqual([doubt.code for doubt in found.warnings], ["millimeters"])
         self.assertRegex(str(found.warnings[0]), "give meter=1000 to plane_kinds and floor_plan")
-        again = pickle.loads(pickle.dumps(found.warnings[0]))
-        self.assertEqual((again.code, str(again)), ("millimeters", str(found.warnings[0])))
+        unpickled = pickle.loads(pickle.dumps(found.warnings[0]))
+        self.assertEqual((unpickled.code, str(unpickled)),
+                         ("millimeters", str(found.warnings[0])))
 
     def test_say_that_points_were_not_seen_from_a_viewpoint(self):
+        # Four boards, one behind the other: the viewpoint in front of them sees the first alone.
         boards = np.vstack([surface((-1, depth, 0), (2, 0, 0), (0, 0, 2), 4000)
                             for depth in (1, 2, 3, 4)])
-        viewpoint = 5e5, 5e5 - 1, 5e5 + 1
+        shift = 5e5
+        viewpoint = shift, shift - 1, shift + 1
         codes, (_, found) = self.doubts(
-            lambda: pcl_ops.segment(boards + 5e5, viewpoint=viewpoint))
+            lambda: pcl_ops.segment(boards + shift, viewpoint=viewpoint))
         self.assertEqual(codes, ["viewpoint"])
         self.assertRegex(str(found.warnings[0]), r"not seen from viewpoint=\(500000,499999,500001\)")
         self.assertEqual(self.doubts(lambda: pcl_ops.segment(boards))[0], [])
 
-    def test_say_that_kinds_need_a_known_up_once_they_are_asked_for(self):
-        # A camera that looks along z at a wall and at something that leans on it.
-        ahead = np.vstack([surface((-2, -1, 4), (4, 0, 0), (0, 2.5, 0), 10000),
+    def test_say_that_kinds_need_a_known_up_when_kinds_are_needed_first(self):
+        # In the frame of a camera, z ahead and y down: a wall, and another one at 53 degrees to it.
+        cloud = np.vstack([surface((-2, -1, 4), (4, 0, 0), (0, 2.5, 0), 10000),
                            surface((-2, -1, 2), (1.5, 0, 2), (0, 2.5, 0), 5000)])
-        for asked in (lambda found: found.kind, pcl_ops.floor_plan, pcl_ops.buildings.rooms,
-                      lambda found: pcl_ops.filter_planes(found, kind="wall")):
-            found = self.doubts(lambda: pcl_ops.segment(ahead))[1][1]
-            self.assertEqual(self.doubts(lambda: asked(found))[0][:1], ["unknown-up"])
-            self.assertEqual(self.doubts(lambda: found.kind)[0], [], "twice")
-        known = pcl_ops.segment(ahead, up=(0, -1, 0))[1]
-        self.assertEqual(self.doubts(lambda: known.kind)[0], [])
+        for call_with_kinds in (lambda found: found.kind, pcl_ops.floor_plan,
+                                pcl_ops.buildings.rooms,
+                                lambda found: pcl_ops.filter_planes(found, kind="wall")):
+            _, (_, found) = self.doubts(lambda: pcl_ops.segment(cloud))
+            codes, _ = self.doubts(lambda: call_with_kinds(found))
+            self.assertEqual(codes[:1], ["unknown-up"])
+            self.assertEqual(self.doubts(lambda: found.kind)[0], [], "not a second time")
+        of_known_up = pcl_ops.segment(cloud, up=(0, -1, 0))[1]
+        self.assertEqual(self.doubts(lambda: of_known_up.kind)[0], [])
 
     def test_say_that_x_and_y_of_an_array_look_like_degrees(self):
-        wall = surface((0, 0, 0), (4, 0.1, 0), (0, 0, 2.5), 6000) * (1e-5, 1e-5, 1) + (11, 48, 500)
+        degrees_per_meter = 1e-5  # roughly
+        scale = (degrees_per_meter, degrees_per_meter, 1)
+        wall = surface((0, 0, 0), (4, 0.1, 0), (0, 0, 2.5), 6000) * scale + (11, 48, 500)
         self.assertEqual(self.doubts(lambda: pcl_ops.segment(wall))[0], ["degrees"])
 
     def test_say_why_a_plan_has_no_wall(self):
@@ -140,13 +153,20 @@ class Warnings(unittest.TestCase):
         self.assertEqual(self.doubts(lambda: pcl_ops.floor_plan(planes))[0], [])
 
 
+def level_grid(number, spacing, start, height):
+    """number x number points on a horizontal plane, whose x and y begin at start [m]."""
+    steps = start + spacing * np.arange(number)
+    x_and_y = np.stack(np.meshgrid(steps, steps), -1).reshape(-1, 2)
+    return np.column_stack([x_and_y, np.full(len(x_and_y), height)])
+
+
 class Pieces(unittest.TestCase):
     def setUp(self):
-        grid = np.stack(np.meshgrid(*[np.arange(60) * 0.04] * 2), -1).reshape(-1, 2)
-        top = np.c_[grid, np.full(len(grid), 0.7)]
+        # Two table tops at the same height, 1.6 m apart, of 3600 and of 2400 points.
+        top = level_grid(60, spacing=0.04, start=0.0, height=0.7)
         self.tables = np.concatenate([top, (top + [4.0, 0.0, 0.0])[:2400]])
 
-    def test_each_connected_piece_of_a_plane_has_a_label(self):
+    def test_of_one_plane_have_labels_of_their_own(self):
         self.assertEqual(len(pcl_ops.segment(self.tables)[1]), 1)
         labels, pieces = pcl_ops.segment(self.tables, pieces=True)
         self.assertEqual([len(piece.inliers) for piece in pieces], [3600, 2400])
@@ -154,37 +174,36 @@ class Pieces(unittest.TestCase):
         np.testing.assert_array_equal(labels, np.repeat([0, 1], [3600, 2400]))
         self.assertEqual(pickle.loads(pickle.dumps(pieces[1])).lies_on, 0)
 
-    def test_the_widest_gap_is_a_number_of_spacings(self):
+    def test_are_joined_over_gaps_up_to_a_number_of_spacings(self):
         self.assertEqual(len(pcl_ops.segment(self.tables, pieces=True, piece_gap=60)[1]), 1)
         with self.assertRaisesRegex(ValueError, "piece_gap"):
             pcl_ops.segment(self.tables, pieces=True, piece_gap=0.5)
 
-    def test_pieces_far_from_zero_are_in_the_frame_of_the_array(self):
+    def test_far_from_zero_are_in_the_frame_of_the_array(self):
         far = self.tables + [5e5, 5e6, 0.0]
         pieces = pcl_ops.segment(far, pieces=True)[1]
         self.assertEqual(len(pieces), 2)
-        np.testing.assert_allclose(
-            pieces[1].centroid, far[3600:].mean(0), atol=1e-4)
+        np.testing.assert_allclose(pieces[1].centroid, far[3600:].mean(axis=0), atol=1e-4)
 
 
 class NormalsWithoutASensor(unittest.TestCase):
-    def test_point_up_on_a_floor_just_above_zero_just_below_and_in_utm(self):
-        grid = np.stack(np.meshgrid(*[np.arange(100) * 0.04 - 2.0] * 2), -1).reshape(-1, 2)
-        floor = np.c_[grid, np.zeros(len(grid))]
+    def test_point_up_on_a_floor_just_above_zero_just_below_and_far_away(self):
+        floor = level_grid(100, spacing=0.04, start=-2.0, height=0.0)
         for shift in ([0, 0, 0.01], [0, 0, -0.01], [5e5, 5e6, 100.0]):
             with self.subTest(shift):
                 found = pcl_ops.segment(floor + shift)[1]
                 self.assertGreater(found[0].normal[2], 0.99)
 
 
-class FarAway(unittest.TestCase):
-    """Coordinates as surveys have them: the planes keep their millimeters."""
+class FarFromZero(unittest.TestCase):
+    """The coordinates of surveys have up to seven digits before the point: planes are found, and
+    described, to the millimeter nevertheless."""
 
     shift = np.array([498765.4321, 5412345.6789, 312.3456])
 
     @classmethod
     def setUpClass(cls):
-        # Digits that single precision does not have: the module has to keep them.
+        # In double precision, with digits that single precision does not have.
         cls.near = points + np.random.default_rng(5).uniform(-1e-9, 1e-9, points.shape)
         cls.near_labels, cls.near_planes = pcl_ops.segment(cls.near)
         cls.labels, cls.planes = pcl_ops.segment(cls.near + cls.shift, viewpoint=cls.shift)
@@ -203,14 +222,14 @@ class FarAway(unittest.TestCase):
             offsets = (plane.hull - plane.centroid) @ plane.normal
             self.assertLess(np.abs(offsets).max(), 1e-6)
 
-    def test_one_outlier_takes_no_digits(self):
+    def test_an_outlier_makes_planes_no_less_exact(self):
         cloud = self.near + self.shift
         cloud[0] = 1e9, -1e9, 1e9
-        found, found_planes = pcl_ops.segment(cloud, viewpoint=self.shift)
-        self.assertEqual((found[0], len(found_planes)), (-1, 3))
-        self.assertLess(found_planes[0].rms, 0.003)
+        found_labels, found_planes = pcl_ops.segment(cloud, viewpoint=self.shift)
+        self.assertEqual((found_labels[0], len(found_planes)), (-1, 3))
+        self.assertLess(found_planes[0].rms, 0.003)  # the noise is 0.002
 
-    def test_merged_planes_keep_the_frame(self):
+    def test_merged_planes_are_in_the_frame_of_the_array(self):
         found = pcl_ops.segment(
             self.near + self.shift, viewpoint=self.shift, merging_enabled=False)[1]
         for plane, near in zip(pcl_ops.merge_planes(found)[0], self.near_planes):
@@ -219,28 +238,31 @@ class FarAway(unittest.TestCase):
 
 
 class Memory(unittest.TestCase):
-    def test_only_rows_in_order_are_not_copied(self):
+    def test_is_not_copied_if_x_y_z_are_neighbors_and_rows_ascend(self):
         wide = np.zeros((100, 9), np.float32)
-        for rows in (wide[:, :3], wide[:, 2:5], wide[::2, :3], wide[:, 6:].copy()):
-            self.assertIs(single_precision(points_array(rows))[0], rows)
-        for rows in (wide[::-1, :3], wide[:, 2::-1], wide[:, ::3], wide[:, :3].astype(">f4"),
-                     wide[:, :3].astype(np.float64)):
-            self.assertFalse(np.shares_memory(single_precision(points_array(rows))[0], rows))
+        for array in (wide[:, :3], wide[:, 2:5], wide[::2, :3], wide[:, 6:].copy()):
+            self.assertIs(single_precision(points_array(array))[0], array)
+        for array in (wide[::-1, :3], wide[:, 2::-1], wide[:, ::3], wide[:, :3].astype(">f4"),
+                      wide[:, :3].astype(np.float64)):
+            self.assertFalse(np.shares_memory(single_precision(points_array(array))[0], array))
 
 
-def segment(array=points, **arguments):
-    return lambda: pcl_ops.segment(array, **arguments)
+def segment(array=points, **parameters):
+    """A function without arguments that calls pcl_ops.segment."""
+    return lambda: pcl_ops.segment(array, **parameters)
 
 
-def evaluate(truth=labels, result=labels, **arguments):
-    return lambda: pcl_ops.evaluate(truth, result, points, **arguments)
+def evaluate(truth=labels, result=labels, **options):
+    """A function without arguments that calls pcl_ops.evaluate."""
+    return lambda: pcl_ops.evaluate(truth, result, points, **options)
 
 
-def call(function, *given, **arguments):
-    return lambda: getattr(pcl_ops, function)(*given, **arguments)
+def call(function, *arguments, **options):
+    """A function without arguments that calls the function of pcl_ops with this name."""
+    return lambda: getattr(pcl_ops, function)(*arguments, **options)
 
 
-# What is called, the error that it raises, and the beginning of its text.
+# Calls with a wrong argument, the error that each raises, and the beginning of its text.
 bad_calls = [
     (segment(np.zeros((5, 2), np.float32)), ValueError, "points: shape (5, 2) is none of (N, 3), "),
     (segment(np.zeros((5, 6), np.float32)), ValueError,
@@ -321,60 +343,64 @@ bad_calls = [
 ]
 
 
-class BadInput(unittest.TestCase):
-    def test_is_said_by_name(self):
+class WrongArguments(unittest.TestCase):
+    def test_are_named_by_the_error(self):
         for bad_call, error, beginning in bad_calls:
             with self.subTest(beginning):
                 with self.assertRaises(error) as raised:
                     bad_call()
                 self.assertTrue(str(raised.exception).startswith(beginning), raised.exception)
 
-    def test_does_not_include_numbers_of_numpy(self):
-        for number in (np.float32, np.float64, np.int8, np.int64):
-            self.assertEqual(pcl_ops.plane_kinds(planes, meter=number(1)), pcl_ops.plane_kinds(planes))
-            planes[0].concave_outline(number(0))
-            pcl_ops.segment(points, pieces=np.bool_(True), piece_gap=number(8))
-            pcl_ops.PlaneTracker(max_distance=number(9))
-        for number in (np.uint8, np.int64):
-            pcl_ops.PlaneTracker(memory=number(3))
-            pcl_ops.evaluate(labels, labels, points, none=number(0))
+    def test_are_not_the_number_types_of_numpy(self):
+        for number_type in (np.float32, np.float64, np.int8, np.int64):
+            self.assertEqual(pcl_ops.plane_kinds(planes, meter=number_type(1)),
+                             pcl_ops.plane_kinds(planes))
+            planes[0].concave_outline(number_type(0))
+            pcl_ops.segment(points, pieces=np.bool_(True), piece_gap=number_type(8))
+            pcl_ops.PlaneTracker(max_distance=number_type(9))
+        for integer_type in (np.uint8, np.int64):
+            pcl_ops.PlaneTracker(memory=integer_type(3))
+            pcl_ops.evaluate(labels, labels, points, none=integer_type(0))
             with tempfile.TemporaryDirectory() as folder:
-                pcl_ops.write_html(f"{folder}/a.html", points, labels, planes, max_points=number(100))
+                pcl_ops.write_html(f"{folder}/a.html", points, labels, planes,
+                                   max_points=integer_type(100))
 
-    def test_planes_of_different_arrays_and_those_that_share_points(self):
-        others = pcl_ops.segment(points.copy())[1]
+    def test_are_planes_of_different_arrays_and_planes_that_share_points(self):
+        of_another_array = pcl_ops.segment(points.copy())[1]
         for function in (pcl_ops.merge_planes, pcl_ops.find_plane_edges):
             with self.assertRaisesRegex(ValueError, "planes: .*different arrays"):
-                function(planes + others)
+                function(planes + of_another_array)
         with self.assertRaisesRegex(ValueError, "planes: some share points"):
             pcl_ops.merge_planes(planes + planes[:1])
 
-    def test_no_plane_is_an_answer_as_in_cpp(self):
-        for nothing in (
-            *(np.full((1000, 3), bad, kind) for bad in (np.nan, np.inf, -np.inf) for kind in "fd"),
+    def test_are_not_points_without_a_plane(self):
+        not_finite = [np.full((1000, 3), value, dtype)
+                      for value in (np.nan, np.inf, -np.inf) for dtype in (np.float32, np.float64)]
+        for cloud in (
+            *not_finite,
             np.zeros((1, 3), np.float32),
             np.ones((5000, 3)),
             np.random.default_rng(1).normal(0, 1e300, (500, 3)),
         ):
             for method in ("ops", "fspf", "kht"):
-                none, no_planes = pcl_ops.segment(nothing, method)
-                self.assertEqual((no_planes, set(none.tolist())), ([], {-1}))
+                no_labels, no_planes = pcl_ops.segment(cloud, method)
+                self.assertEqual((no_planes, set(no_labels.tolist())), ([], {-1}))
 
 
-def large_cloud(kind):
+def large_cloud(dtype):
     """So many points that a call takes some tenths of a second."""
-    many = np.tile(points, (20, 1)).astype(kind)
-    return many + np.random.default_rng(1).normal(0, 0.002, many.shape).astype(kind)
+    many = np.tile(points, (20, 1)).astype(dtype)
+    return many + np.random.default_rng(1).normal(0, 0.002, many.shape).astype(dtype)
 
 
 def ticks_during(call):
     """How often another thread of Python ran during a call."""
-    ticks = []
+    times_of_ticks = []
     done = threading.Event()
 
     def tick():
-        while not done.wait(0.001):
-            ticks.append(time.perf_counter())
+        while not done.wait(timeout=0.001):  # [s]
+            times_of_ticks.append(time.perf_counter())
 
     with concurrent.futures.ThreadPoolExecutor(1) as pool:
         pool.submit(tick)
@@ -384,14 +410,14 @@ def ticks_during(call):
             end = time.perf_counter()
         finally:
             done.set()  # else the pool would wait for ever
-    return sum(begin < tick < end for tick in ticks)
+    return sum(begin < time_of_tick < end for time_of_tick in times_of_ticks)
 
 
 class Threads(unittest.TestCase):
     def test_other_threads_work_during_segment_and_evaluate(self):
         truth = pcl_ops.segment(large_cloud(np.float32))[0]
-        for kind in (np.float32, np.float64):
-            cloud = large_cloud(kind)
+        for dtype in (np.float32, np.float64):
+            cloud = large_cloud(dtype)
             for call in (*(lambda method=method: pcl_ops.segment(cloud, method)
                            for method in ("ops", "fspf", "kht")),
                          lambda: pcl_ops.evaluate(truth, truth, cloud)):
@@ -400,12 +426,12 @@ class Threads(unittest.TestCase):
                 # hence 20 tries.
                 self.assertTrue(any(ticks_during(call) > 5 for _ in range(20)))
 
-    def test_calls_at_once_find_the_same(self):
+    def test_that_call_at_once_get_the_same_labels(self):
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
-            for found, _ in pool.map(lambda _: pcl_ops.segment(points), range(20)):
-                np.testing.assert_array_equal(found, labels)
+            for found_labels, _ in pool.map(lambda _: pcl_ops.segment(points), range(20)):
+                np.testing.assert_array_equal(found_labels, labels)
 
-    def test_end_of_python_during_a_call_is_quiet(self):
+    def test_that_are_in_a_call_when_python_ends_cause_no_error(self):
         script = """
 import threading, time
 import pcl_ops
@@ -421,13 +447,15 @@ for _ in range(2):
 time.sleep(0.2)
 """
         here = os.path.dirname(os.path.abspath(__file__))
-        for _ in range(5):
+        for _ in range(5):  # runs, as an error would not come in each
             run = subprocess.run([sys.executable, "-B", "-c", script], cwd=here, capture_output=True)
             self.assertEqual((run.returncode, run.stderr), (0, b""))
 
-    def test_interruption_is_not_lost(self):
+    def test_are_interrupted_after_a_call_if_not_in_it(self):
         cloud = large_cloud(np.float32)
+        seconds_until_interruption = 0.02
         with self.assertRaises(KeyboardInterrupt):
-            threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT)).start()
+            threading.Timer(seconds_until_interruption, os.kill,
+                            (os.getpid(), signal.SIGINT)).start()
             pcl_ops.segment(cloud)
             time.sleep(10)

@@ -21,7 +21,7 @@ concaveHull (const PlanarPoints& points, double alpha = 0.0)
   return rings.empty() ? PlanarPoints() : rings.front();
 }
 
-/** \brief Share of the points inside, or nearer than 1 um to the outline. */
+/** \brief Share of the points that are inside the outline or nearer than 1 um to it. */
 double
 shareInside (const PlanarPoints& points, const PlanarPoints& outline)
 {
@@ -32,15 +32,16 @@ shareInside (const PlanarPoints& points, const PlanarPoints& outline)
   return static_cast<double> (inside) / static_cast<double> (points.size());
 }
 
-/** \brief Whether a point is in an L of two bars of 2 m x 0.5 m along x and y. */
+/** \brief Whether a point is in an L of two bars of 2 m x 0.5 m from zero along x and
+ * y; the coordinates are above 0. Rounding of the ends at 2 m does not matter. */
 bool
 isInL (const Eigen::Vector2d& point)
 {
   return point.maxCoeff() <= 2.0 + 1e-9 && point.minCoeff() <= 0.5;
 }
 
-constexpr double area_of_l = 1.75;
-constexpr double area_of_convex_hull_of_l = 2.875;
+constexpr double area_of_l = 1.75;                 // [m^2]
+constexpr double area_of_convex_hull_of_l = 2.875; // [m^2]
 
 /** \brief The points of a grid on a square of 3 m that are in a shape.
  * \param[in] steps number of steps of the grid along each edge of the square */
@@ -60,10 +61,11 @@ gridOf (int steps, Shape&& isInShape)
 /** \brief Whether a point is in a wall of 3 m x 2.5 m with a window of 1 m x 0.8 m.
  * Points on the rims are in it, also those moved a little by rounding. */
 bool
-isInWall (const Eigen::Vector2d& p)
+isInWall (const Eigen::Vector2d& point)
 {
-  return p.y() < 2.501 &&
-         !(p.x() > 1.001 && p.x() < 1.999 && p.y() > 1.001 && p.y() < 1.799);
+  const bool is_in_window =
+      point.x() > 1.001 && point.x() < 1.999 && point.y() > 1.001 && point.y() < 1.799;
+  return point.y() < 2.501 && !is_in_window;
 }
 
 constexpr double area_around_window = 3_m * 2.5_m; // the window included
@@ -78,7 +80,8 @@ scattered (std::size_t number, double noise, Shape&& isInShape)
   RandomGenerator generator (seedOfTest());
   PlanarPoints points;
   while (points.size() < number) {
-    const double x = 3.0 * drawUnit (generator), y = 3.0 * drawUnit (generator);
+    const double x = 3.0 * drawUnit (generator);
+    const double y = 3.0 * drawUnit (generator);
     if (isInShape ({x, y}))
       points.emplace_back (x + noise * drawGaussian (generator),
                            y + noise * drawGaussian (generator));
@@ -93,8 +96,8 @@ TEST (ConcaveHull, FollowsAnLWhereTheConvexHullDoesNot)
   const PlanarPoints l = gridOf (300, isInL);
   EXPECT_NEAR (areaOf (convexHull (l)), area_of_convex_hull_of_l, 1e-6);
   EXPECT_NEAR (areaOf (concaveHull (l)) / area_of_l, 1.0, 1_percent);
-  EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), area_of_convex_hull_of_l, 0.01)
-      << "with a radius given";
+  constexpr double large_alpha = 100.0; // [m]
+  EXPECT_NEAR (areaOf (concaveHull (l, large_alpha)), area_of_convex_hull_of_l, 0.01);
 }
 
 TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInsideTheSameEveryTime)
@@ -122,7 +125,7 @@ TEST (ConcaveHull, IsTheSameForAnyOrderOfThePoints)
   }
 }
 
-TEST (ConcaveHull, OfARadiusNextToZeroIsTheConvexOne)
+TEST (ConcaveHull, OfAnAlphaNextToZeroIsTheConvexOne)
 {
   const PlanarPoints l = gridOf (30, isInL);
   EXPECT_NEAR (areaOf (concaveHull (l, 1e-19)), areaOf (convexHull (l)), 1e-9);
@@ -212,11 +215,11 @@ TEST (ConcaveOutline, OfAWallOfAnySizeIsTheSame)
 TEST (ConcaveOutline, OfRoundedCoordinatesHasNoHoles)
 {
   RandomGenerator generator (seedOfTest());
-  for (const double step : {0.1, 0.2, 0.5}) {
-    PlanarPoints wall;
+  for (const double step : {0.1, 0.2, 0.5}) { // [m]
+    PlanarPoints wall;                        // of 2 m x 1 m
     while (wall.size() < 20000)
-      wall.emplace_back (step * std::round (2.0 * drawUnit (generator) / step),
-                         step * std::round (1.0 * drawUnit (generator) / step));
+      wall.emplace_back (step * std::round (2_m * drawUnit (generator) / step),
+                         step * std::round (1_m * drawUnit (generator) / step));
     const PlanarRings outline = concaveOutline (wall);
     ASSERT_EQ (outline.size(), 1u) << step;
     EXPECT_NEAR (areaOf (outline[0]), 2.0, 1e-9) << step;
@@ -226,10 +229,11 @@ TEST (ConcaveOutline, OfRoundedCoordinatesHasNoHoles)
 TEST (ConcaveOutline, HasHolesByFallingArea)
 {
   PlanarPoints wall = gridOf (150, isInWall);
-  const auto isVent = [] (const Eigen::Vector2d& point) {
+  // A second, smaller hole of some 40 cm x 40 cm.
+  const auto isInVent = [] (const Eigen::Vector2d& point) {
     return (point - Eigen::Vector2d (2.5, 2.0)).lpNorm<Eigen::Infinity>() < 0.2;
   };
-  wall.erase (std::remove_if (wall.begin(), wall.end(), isVent), wall.end());
+  wall.erase (std::remove_if (wall.begin(), wall.end(), isInVent), wall.end());
   const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 3u);
   // Holes run clockwise: their areas are below 0.

@@ -36,7 +36,7 @@ TEST (Triangulation, CoversASquareAndAnL)
   const PlanarPoints l = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   EXPECT_EQ (pcl_ops::triangulate ({square}).size(), 2u);
   EXPECT_NEAR (areaOfTriangles ({square}), 1.0, 1e-9);
-  EXPECT_NEAR (areaOfTriangles ({l}), 3.0, 1e-9) << "its notch left free";
+  EXPECT_NEAR (areaOfTriangles ({l}), 3.0, 1e-9) << "without its notch";
 }
 
 TEST (Triangulation, OfACombWithAHundredTeethCoversEveryTooth)
@@ -52,31 +52,32 @@ TEST (Triangulation, OfACombWithAHundredTeethCoversEveryTooth)
   EXPECT_NEAR (areaOfTriangles ({comb}), area_of_handle + area_of_teeth, 1e-6);
 }
 
-TEST (Triangulation, OfNoAreaIsNone)
+TEST (Triangulation, OfRingsWithoutAreaHasNoTriangles)
 {
   EXPECT_TRUE (pcl_ops::triangulate ({}).empty());
   EXPECT_TRUE (pcl_ops::triangulate ({{{0, 0}, {1, 1}}}).empty());
   EXPECT_TRUE (pcl_ops::triangulate ({{{0, 0}, {1, 1}, {2, 2}}}).empty());
 }
 
-TEST (Triangulation, LeavesEachOfManyHolesFree)
+TEST (Triangulation, CoversNoneOfManyHoles)
 {
-  constexpr double hole = 0.2; // its edge
+  constexpr double hole_edge = 0.2;
   pcl_ops::PlanarRings sieve = {square_of_three};
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 5; ++y) {
-      const double left = 0.2 + 0.6 * x, low = 0.2 + 0.6 * y;
-      sieve.push_back ({{left, low},
-                        {left, low + hole},
-                        {left + hole, low + hole},
-                        {left + hole, low}});
+      const double min_x = 0.2 + 0.6 * x;
+      const double min_y = 0.2 + 0.6 * y;
+      sieve.push_back ({{min_x, min_y},
+                        {min_x, min_y + hole_edge},
+                        {min_x + hole_edge, min_y + hole_edge},
+                        {min_x + hole_edge, min_y}});
     }
-  EXPECT_NEAR (areaOfTriangles (sieve), 9.0 - 25 * hole * hole, 1e-9);
+  EXPECT_NEAR (areaOfTriangles (sieve), 9.0 - 25 * hole_edge * hole_edge, 1e-9);
 }
 
-TEST (Triangulation, LeavesOutRingsWithoutCorners)
+TEST (Triangulation, IgnoresAHoleWithoutCornersAndIsEmptyIfTheOuterRingIs)
 {
-  const auto alone = pcl_ops::triangulate ({square_of_three});
-  EXPECT_EQ (pcl_ops::triangulate ({square_of_three, {}}), alone);
+  const auto without_hole = pcl_ops::triangulate ({square_of_three});
+  EXPECT_EQ (pcl_ops::triangulate ({square_of_three, {}}), without_hole);
   EXPECT_TRUE (pcl_ops::triangulate ({{}, square_of_three}).empty());
 }

@@ -10,7 +10,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Assigns points up to four times the noise from their plane. */
+/** \brief Assigns each point to a plane at most four times the plane's noise away. */
 AssignedPoints
 assign (const VoxelScene& scene)
 {
@@ -38,17 +38,19 @@ TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
   const std::vector<pcl_ops::Moments> expected =
       momentsOfLabels (scene.points, assigned.labels, 2, one_thread);
   ASSERT_EQ (assigned.moments.size(), 2u);
-  for (std::size_t p = 0; p < 2; ++p) {
-    EXPECT_GT (assigned.moments[p].count, 14000.0) << "of points_of_surface";
-    EXPECT_EQ (assigned.moments[p].count, expected[p].count);
-    EXPECT_LT ((assigned.moments[p].sum - expected[p].sum).norm(), 1e-6);
+  for (const std::size_t plane : {0, 1}) {
+    // Of the 14,400 points of a surface, those near the other surface may go to it.
+    EXPECT_GT (assigned.moments[plane].count, 14000.0);
+    EXPECT_EQ (assigned.moments[plane].count, expected[plane].count);
+    EXPECT_LT ((assigned.moments[plane].sum - expected[plane].sum).norm(), 1e-6);
   }
 }
 
 TEST (BoundedAssignment, GivesAPointBetweenPlanesToTheNoisierAndOneOnBothToTheCleaner)
 {
-  // The points lie at z = 5 cm. Voxels left of x = 1 m are on plane 0, which lies below
-  // the points; voxels right of it are on plane 1, as far above them.
+  // The points lie at z = 5 cm. Voxels with x < 1 m are on plane 0, which lies below
+  // the points; the other voxels are on plane 1, as far above the points. 3 cm are 0.75
+  // times the noise of the noisier plane and 3 times that of the cleaner one.
   VoxelScene scene ({{ground}});
   scene.label (1, [] (const Eigen::Vector3d& centroid) { return centroid.x() > 1.0; });
   for (const double distance : {3_cm, 1_mm})
@@ -60,7 +62,9 @@ TEST (BoundedAssignment, GivesAPointBetweenPlanesToTheNoisierAndOneOnBothToTheCl
       const std::int32_t expected = distance > 1_cm ? noisier : cleaner;
       const Labels labels = assign (scene).labels;
       for (std::size_t i = 0; i < labels.size(); ++i) {
-        const bool has_both_planes_around = std::abs (scene.points.x[i] - 1.0f) <= 0.1f;
+        constexpr float voxel_size = 0.1f; // [m]
+        const bool has_both_planes_around =
+            std::abs (scene.points.x[i] - 1.0f) <= voxel_size;
         EXPECT_TRUE (!has_both_planes_around || labels[i] == expected);
       }
     }
@@ -68,7 +72,8 @@ TEST (BoundedAssignment, GivesAPointBetweenPlanesToTheNoisierAndOneOnBothToTheCl
 
 TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
 {
-  // Four times 6 mm are 24 mm. Two points above the ground, each in a voxel of its own.
+  // The noise of the plane is 6 mm: it takes points up to 24 mm away. Two points lie
+  // above it, each in a voxel of its own, which is on no plane.
   VoxelScene scene ({{{{0, 0, 0.09}, {2, 0, 0}, {0, 2, 0}}}});
   const std::size_t first_above = scene.points.size();
   scene.points.add (0.55f, 0.55f, 0.105f);
@@ -77,6 +82,6 @@ TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
   scene.label (no_plane,
                [] (const Eigen::Vector3d& centroid) { return centroid.z() > 0.1; });
   const Labels labels = assign (scene).labels;
-  EXPECT_EQ (labels[first_above], 0) << "15 mm off";
-  EXPECT_EQ (labels[first_above + 1], no_plane) << "30 mm off";
+  EXPECT_EQ (labels[first_above], 0) << "15 mm above the plane";
+  EXPECT_EQ (labels[first_above + 1], no_plane) << "30 mm above the plane";
 }

@@ -15,8 +15,9 @@ namespace {
 const Plane tilted =
     pcl_ops::planeThrough (ground.center(), Eigen::Vector3d (0.1, 0, 1).normalized());
 
+/** \brief The horizontal plane at a height z [m]. */
 Plane
-atHeight (double z)
+levelPlaneAt (double z)
 {
   return {Eigen::Vector3d::UnitZ(), -z};
 }
@@ -50,35 +51,39 @@ planesOf (const VoxelGrid& grid, const Labels& plane_of_point)
 TEST (Refitting, FitsEachPlaneToItsVoxelsAndLeavesAPlaneWithoutVoxelsAsItIs)
 {
   VoxelScene scene ({{ground}, {wall}});
-  scene.planes.planes = {tilted, tilted, tilted};
+  scene.planes.planes = {tilted, tilted, tilted}; // plane 2 has no voxels
+  // Voxels with points of both surfaces are on no plane.
   scene.label (no_plane, [] (const Eigen::Vector3d& centroid) {
     return centroid.x() < 0.1 && centroid.z() < 0.1;
   });
   refitPlanes (scene.grid(), scene.planes);
-  EXPECT_TRUE (isNear (scene.planes.planes[0], ground, 1e-6, 1e-6));
-  EXPECT_TRUE (isNear (scene.planes.planes[1], wall, 1e-6, 1e-6));
+  constexpr double max_angle = 1e-6;    // [rad]
+  constexpr double max_distance = 1e-6; // [m]
+  EXPECT_TRUE (isNear (scene.planes.planes[0], ground, max_angle, max_distance));
+  EXPECT_TRUE (isNear (scene.planes.planes[1], wall, max_angle, max_distance));
   EXPECT_EQ (scene.planes.planes[2].normal, tilted.normal);
 }
 
 TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxelsAndWhatTheyHaveElsewhere)
 {
-  const VoxelGrid three = threeVoxels();
-  BoundedPlanes planes = planesOf (three, {1, no_plane, 1});
-  for (const double points_elsewhere : {0.0, 1.0}) {
-    const std::vector<Moments> moments = momentsOfPlanes (three, planes);
+  const VoxelGrid grid = threeVoxels();
+  for (const bool has_point_elsewhere : {false, true}) {
+    BoundedPlanes planes = planesOf (grid, {1, no_plane, 1});
+    if (has_point_elsewhere) { // plane 0 alone
+      planes.moments_elsewhere.resize (1);
+      planes.moments_elsewhere[0].add (1, 2, 3);
+    }
+    const std::vector<Moments> moments = momentsOfPlanes (grid, planes);
     ASSERT_EQ (moments.size(), 2u);
-    EXPECT_EQ (moments[0].count, points_elsewhere) << "plane 0 has no voxel";
+    EXPECT_EQ (moments[0].count, has_point_elsewhere ? 1.0 : 0.0) << "without voxels";
     EXPECT_EQ (moments[1].count, 2.0);
     EXPECT_NEAR (moments[1].sum.x(), 0.05 + 0.25, 1e-6);
-    planes.moments_elsewhere.resize (1);
-    planes.moments_elsewhere[0].add (1, 2, 3);
   }
 }
 
 TEST (MomentsOf, SomeVoxelsAddUpTheirPoints)
 {
-  const VoxelGrid three = threeVoxels();
-  const Moments moments = momentsOf (three.moments, Indices{0, 1});
+  const Moments moments = momentsOf (threeVoxels().moments, Indices{0, 1});
   EXPECT_EQ (moments.count, 2.0);
   EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
 }
@@ -86,16 +91,18 @@ TEST (MomentsOf, SomeVoxelsAddUpTheirPoints)
 TEST (Renumbering, MovesVoxelsAndMomentsToTheMergedPlanes)
 {
   BoundedPlanes planes;
-  planes.planes = {atHeight (0), atHeight (1), atHeight (2), atHeight (3)};
+  planes.planes = {
+      levelPlaneAt (0), levelPlaneAt (1), levelPlaneAt (2), levelPlaneAt (3)};
   planes.plane_of_voxel = {0, 1, 2, 3, no_plane, 1};
   planes.moments_elsewhere.resize (4);
-  for (const int p : {0, 1, 2, 3}) // x of 1, 2, 4 and 8: sums tell them apart
-    planes.moments_elsewhere[p].add (1 << p, 0, 0);
+  const double distinct_sums[] = {1.0, 2.0, 4.0, 8.0}; // x; the sum tells whose it is
+  for (const int plane : {0, 1, 2, 3})
+    planes.moments_elsewhere[plane].add (distinct_sums[plane], 0, 0);
   pcl_ops::MergedPlanes merged;
-  merged.merged_into = {1, 0, 1, no_plane}; // the last was dropped
+  merged.merged_into = {1, 0, 1, no_plane}; // plane 3 is in no merged plane
   merged.fits.resize (2);
-  merged.fits[0].plane = atHeight (5);
-  merged.fits[1].plane = atHeight (6);
+  merged.fits[0].plane = levelPlaneAt (5);
+  merged.fits[1].plane = levelPlaneAt (6);
   renumberPlanes (merged, planes);
   EXPECT_EQ (planes.plane_of_voxel, (Labels{1, 0, 1, no_plane, no_plane, 0}));
   ASSERT_EQ (planes.size(), 2u);

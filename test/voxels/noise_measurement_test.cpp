@@ -7,17 +7,18 @@ using namespace pcl_ops::internal;
 
 TEST (Noise, IsMeasuredOnThePlanesOwnVoxelsAndIsAtLeastAShareOfTheirSize)
 {
-  // Two halves of a ground, the plane of the right one 4 cm off its points.
+  // Two exact surfaces side by side. Plane 1 is moved 4 cm off its points.
   VoxelScene scene ({{ground}, {{{2, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}}});
   scene.planes.planes[1].offset += 4_cm;
   measureNoise (scene.grid(), one_thread, scene.planes);
-  EXPECT_NEAR (scene.planes.noise.at (0), 3_mm, 1e-6) << "3 % of 10 cm";
+  EXPECT_NEAR (scene.planes.noise.at (0), 3_mm, 1e-6) << "3 % of a voxel of 10 cm";
   EXPECT_NEAR (scene.planes.noise.at (1), 4_cm, 1e-6);
 }
 
 TEST (Noise, IsThatOfMostOfThePlaneAndStaysForAPlaneWithoutVoxels)
 {
-  // A tenth of the ground lies under a carpet of 3 cm.
+  // Nine tenths of plane 0 are ground; the rest is a carpet, 3 cm higher. Plane 1 has
+  // no voxels.
   VoxelScene scene ({{{{0, 0, 0.05}, {1.8, 0, 0}, {0, 2, 0}},
                       {{1.8, 0, 0.08}, {0.2, 0, 0}, {0, 2, 0}}}},
                     1_cm);

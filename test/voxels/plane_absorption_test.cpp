@@ -7,7 +7,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Adds a copy of plane 0, which takes all voxels with x < \p width [m]. */
+/** \brief Adds a copy of plane 0, and puts all voxels with x < \p width [m] on it. */
 void
 splitOff (double width, VoxelScene& scene)
 {
@@ -30,14 +30,16 @@ absorbersIn (const VoxelScene& scene)
 constexpr std::int32_t by_ground = 0;
 constexpr std::int32_t by_none = 1; // the strip, which is plane 1, keeps its own index
 
-/** \brief Index of the plane that absorbs a strip of 10 cm beside the ground.
- * \param[in] height of the strip above the ground [m] */
+/** \brief Index of the plane that absorbs a strip 10 cm wide beside the ground.
+ * \param[in] height of the strip above the ground [m]
+ * \param[in] noise_of_ground,noise_of_strip noise of the planes [m] */
 std::int32_t
 absorberOfStrip (double height, double noise_of_ground, double noise_of_strip)
 {
   const Surface strip = {{2, 0, 0.05 + height}, {0.1, 0, 0}, {0, 2, 0}};
+  constexpr int strip_steps = 12;
   VoxelScene scene ({{ground}});
-  addGrid (scene.points, strip, 12);
+  addGrid (scene.points, strip, strip_steps);
   scene.voxelize();
   scene.addPlane (pcl_ops::planeThrough (strip.center(), strip.normal()));
   scene.planes.noise = {noise_of_ground, noise_of_strip};
@@ -49,16 +51,18 @@ absorberOfStrip (double height, double noise_of_ground, double noise_of_strip)
 
 TEST (Absorption, GivesSplintersToThePlaneAroundThem)
 {
-  // Each width splits off the left part of the ground. One splinter; a splinter of a
-  // splinter, which touches that alone; and three strips, of which the outer two touch
-  // only after one of them has absorbed the middle one.
+  // Each width splits off the part of the ground with smaller x. The rows are: one
+  // splinter; a second splinter, which touches only the first; and three strips, of
+  // which the outer two are adjacent only after one of them has absorbed the middle
+  // one.
   for (const std::vector<double>& widths :
        {std::vector<double>{20_cm}, {40_cm, 10_cm}, {1.2_m, 80_cm}}) {
     VoxelScene scene ({{ground}}, 5_mm);
     for (const double width : widths)
       splitOff (width, scene);
-    const pcl_ops::Labels into = absorbersIn (scene);
-    EXPECT_EQ (std::count (into.begin(), into.end(), into[0]), into.size());
+    const pcl_ops::Labels absorbers = absorbersIn (scene);
+    EXPECT_EQ (std::count (absorbers.begin(), absorbers.end(), absorbers[0]),
+               absorbers.size());
   }
 }
 
@@ -66,16 +70,17 @@ TEST (Absorption, TakesAPlaneThatTouchesOneAndIsNoHigherThanTheNoiseOfBothExplai
 {
   const struct {
     const char* other;
-    double x, height; // where the other plane begins, above the ground [m]
-    double noise;     // the largest offset of points of both planes [m]
+    double x;          // where the other plane begins; the ground ends at 2 m
+    double height;     // of the other plane above the ground [m]
+    double max_offset; // of the points of both planes from their plane [m]
     std::int32_t absorber;
-  } rows[] = {{"a step of many times the noise", 2_m, 8_cm, 5_mm, by_none},
-              {"one of seven times the noise", 2_m, 2_cm, 3_mm, by_none},
-              {"not as high as the noise", 2_m, 2_cm, 3_cm, by_ground},
-              {"coplanar, but apart", 3_m, 0_m, 0_m, by_none}};
+  } rows[] = {{"a step of 16 times the offsets", 2_m, 8_cm, 5_mm, by_none},
+              {"a step of 7 times the offsets", 2_m, 2_cm, 3_mm, by_none},
+              {"a step smaller than the offsets", 2_m, 2_cm, 3_cm, by_ground},
+              {"coplanar, 1 m from the ground", 3_m, 0_m, 0_m, by_none}};
   for (const auto& row : rows) {
     const Surface other = {{row.x, 0, 0.05 + row.height}, {1, 0, 0}, {0, 2, 0}};
-    EXPECT_EQ (absorbersIn (VoxelScene ({{ground}, {other}}, row.noise)),
+    EXPECT_EQ (absorbersIn (VoxelScene ({{ground}, {other}}, row.max_offset)),
                (pcl_ops::Labels{0, row.absorber}))
         << row.other;
   }
@@ -84,26 +89,26 @@ TEST (Absorption, TakesAPlaneThatTouchesOneAndIsNoHigherThanTheNoiseOfBothExplai
 TEST (Absorption, TakesABumpThatTheNoiseOfBothExplainsButNoRoughPatchOfACleanPlane)
 {
   EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 9_mm), by_ground);
-  EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 1_mm), by_none) << "clean points of its own";
+  EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 1_mm), by_none) << "a clean strip";
   EXPECT_EQ (absorberOfStrip (8_cm, 5_cm, 5_cm), by_ground);
-  EXPECT_EQ (absorberOfStrip (8_cm, 5_mm, 5_cm), by_none);
+  EXPECT_EQ (absorberOfStrip (8_cm, 5_mm, 5_cm), by_none) << "a rough strip";
 }
 
 TEST (Absorption, WeighsWhatAPlaneHasElsewhere)
 {
-  // A strip 6 mm above the ground has more points than the ground in these voxels, but
-  // the ground may have still more elsewhere. The smaller plane is absorbed by the
-  // larger one.
-  for (const bool ground_has_more : {false, true}) {
+  // The smaller plane is absorbed by the larger one. In these voxels plane 1, which is
+  // 6 mm above plane 0, has more points: it also gets the last row of voxels of plane
+  // 0. But plane 0 may have more points elsewhere.
+  for (const bool has_points_elsewhere : {false, true}) {
     VoxelScene scene ({{{{0, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}}},
                        {{{1.5, 0, 0.056}, {2, 0, 0}, {0, 2, 0}}}},
                       1_cm);
     const VoxelScene elsewhere ({{{{-50, -50, 0.05}, {40, 0, 0}, {0, 100, 0}}}});
-    if (ground_has_more)
+    if (has_points_elsewhere)
       scene.planes.moments_elsewhere =
           momentsOfPlanes (elsewhere.grid(), elsewhere.planes);
     scene.label (1,
                  [] (const Eigen::Vector3d& centroid) { return centroid.x() > 1.4; });
-    EXPECT_EQ (absorbersIn (scene)[0], ground_has_more ? 0 : 1);
+    EXPECT_EQ (absorbersIn (scene)[0], has_points_elsewhere ? 0 : 1);
   }
 }

@@ -9,8 +9,8 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief A rectangle of the floor, which is plane 0, and rows of points beside it
- * along y, which are on no plane. */
+/** \brief A floor at z = 0 that ends at x = 1.6 m and is plane 0, and rows of points
+ * beyond its end, which are along y and on no plane. */
 struct FloorAndRows {
   static constexpr int floor_steps = 48;
   static constexpr int points_of_floor = floor_steps * floor_steps;
@@ -23,7 +23,8 @@ struct FloorAndRows {
     addGrid (points, {{0, 0, 0}, {1.6, 0, 0}, {0, width, 0}}, floor_steps, 1_mm);
   }
 
-  /** \brief Adds a row of points 8 cm apart. */ FloorAndRows&
+  /** \brief Adds a row of points 8 cm apart, at x and above the floor by height [m]. */
+  FloorAndRows&
   row (double x, double height)
   {
     for (int i = 0; i < points_of_row; ++i)
@@ -31,11 +32,13 @@ struct FloorAndRows {
     return *this;
   }
 
-  /** \brief The label of each row after planes were extended from voxels of 10 cm;
-   * fails if the points of a row differ in label.
-   * \param[in] doublings how many times the edge of voxels is doubled */
+  /** \brief The label of each row after the floor was extended from voxels of 10 cm.
+   * Fails the test if the points of a row differ in label.
+   * \param[in] doublings how many times the edge of voxels is doubled
+   * \param[in] distance_threshold largest distance of a point to the floor [m] */
   Labels
-  extended (int doublings, std::optional<double> distance_threshold = {}) const
+  labelsAfterExtension (int doublings,
+                        std::optional<double> distance_threshold = {}) const
   {
     const VoxelGrid grid = connectedGrid (points, 10_cm);
     AssignedPoints assigned{Labels (points.size(), no_plane), {{}}};
@@ -66,20 +69,27 @@ struct FloorAndRows {
 
 TEST (PlaneExtension, TakesPointsOfWidePlanesUpToTheLargestVoxelsAndTheThreshold)
 {
-  // The floor ends where voxels of 20 and of 40 cm do.
+  // The floor ends where voxels of 20 and of 40 cm end, too. A row 30 cm beyond it is
+  // two voxels of 20 cm away, but in a voxel of 40 cm next to one of the floor.
   const FloorAndRows near = FloorAndRows().row (1.9, 0.0);
-  EXPECT_EQ (near.extended (3), (Labels{0})) << "beyond a gap";
-  EXPECT_EQ (near.extended (1), (Labels{no_plane}));
-  EXPECT_EQ (near.extended (2), (Labels{0}));
+  EXPECT_EQ (near.labelsAfterExtension (3), (Labels{0}));
+  EXPECT_EQ (near.labelsAfterExtension (1), (Labels{no_plane}));
+  EXPECT_EQ (near.labelsAfterExtension (2), (Labels{0}));
+  constexpr double half_millimeter = 5e-4; // [m]
   const FloorAndRows narrow = FloorAndRows (0.2).row (1.9, 0.0);
-  EXPECT_EQ (narrow.extended (3), (Labels{no_plane})) << "narrower than the voxels";
+  EXPECT_EQ (narrow.labelsAfterExtension (3), (Labels{no_plane}))
+      << "narrower than the voxels";
   const FloorAndRows above = FloorAndRows().row (1.9, 1_mm).row (1.9, 5_cm);
-  EXPECT_EQ (above.extended (3), (Labels{0, no_plane}));
-  EXPECT_EQ (above.extended (3, 5e-4), (Labels{no_plane, no_plane}));
+  EXPECT_EQ (above.labelsAfterExtension (3), (Labels{0, no_plane}));
+  EXPECT_EQ (above.labelsAfterExtension (3, half_millimeter),
+             (Labels{no_plane, no_plane}));
 }
 
 TEST (PlaneExtension, GoesOnFromPointsThatItTook)
 {
-  EXPECT_EQ (FloorAndRows().row (2.9, 0.0).extended (3), (Labels{no_plane}));
-  EXPECT_EQ (FloorAndRows().row (1.9, 0.0).row (2.9, 0.0).extended (3), (Labels{0, 0}));
+  // The largest voxels have an edge of 80 cm.
+  EXPECT_EQ (FloorAndRows().row (2.9, 0.0).labelsAfterExtension (3),
+             (Labels{no_plane}));
+  EXPECT_EQ (FloorAndRows().row (1.9, 0.0).row (2.9, 0.0).labelsAfterExtension (3),
+             (Labels{0, 0}));
 }

@@ -9,18 +9,19 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief Whether a voxel is in the half of the ground that has no plane. */
 bool
-isRight (const Eigen::Vector3d& centroid)
+isUnexplained (const Eigen::Vector3d& centroid)
 {
   return centroid.x() > 1.0;
 }
 
-/** \brief The ground; only its left half is on its plane. */
+/** \brief The ground; only its half with x < 1 m is on its plane. */
 VoxelScene
 halfExplained ()
 {
   VoxelScene scene ({{ground}});
-  scene.label (no_plane, isRight);
+  scene.label (no_plane, isUnexplained);
   return scene;
 }
 
@@ -37,6 +38,7 @@ TEST (Refinement, IsOfVoxelsWithoutAPlaneAndTheirNeighbors)
   const VoxelScene scene = halfExplained();
   const Refinement refinement = refined (scene);
   ASSERT_EQ (refinement.is_refined.size(), voxels_of_surface);
+  // The neighbors are the row from x = 0.9 m to 1 m.
   for (std::size_t i = 0; i < scene.grid().size(); ++i)
     EXPECT_EQ (refinement.is_refined[i] != 0, scene.centroid (i).x() > 0.9);
 }
@@ -74,29 +76,30 @@ TEST (Refinement, HalvesTheVoxels)
   const Refinement refinement = refined (halfExplained());
   const VoxelGrid& grid = refinement.grid;
   EXPECT_DOUBLE_EQ (grid.voxel_size, 5_cm);
-  EXPECT_EQ (grid.size(), 11u * 20u * 4u) << "eleven rows of twenty, each in four";
+  EXPECT_EQ (grid.size(), 11u * 20u * 4u) << "11 rows of 20 voxels, each in 4";
   EXPECT_EQ (grid.neighbors.occupied.size(), grid.size());
 }
 
-TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
+TEST (Refinement, LeavesOutVoxelsOfTooFewPointsForAPlane)
 {
-  // Seven points a meter above the ground, and then an eighth.
-  for (const int number : {7, 8}) {
+  // A voxel a meter above the ground with fewer points than the eight that are enough,
+  // or as many.
+  for (const int point_count : {7, 8}) {
     VoxelScene scene ({{ground}});
-    for (int i = 0; i < number; ++i)
+    for (int i = 0; i < point_count; ++i)
       scene.points.add (0.55f, 0.55f, 1.01f + 0.01f * static_cast<float> (i));
     scene.voxelize();
     scene.label (no_plane,
                  [] (const Eigen::Vector3d& centroid) { return centroid.z() > 0.5; });
-    EXPECT_EQ (refined (scene).grid.size() > 0, number == 8);
+    EXPECT_EQ (refined (scene).grid.size() > 0, point_count == 8);
   }
 }
 
 TEST (Refinement, LosesNoPointOfAPlane)
 {
-  // What stays in coarse voxels and what goes to finer ones adds up to the whole.
+  // The points that stay in coarse voxels and those in finer voxels are all points.
   VoxelScene scene ({{ground}}, 1_cm);
-  scene.label (no_plane, isRight);
+  scene.label (no_plane, isUnexplained);
   Refinement refinement = refined (scene);
   refinement.planes.plane_of_voxel.assign (refinement.grid.size(), 0);
   const Moments all = momentsOfPlanes (refinement.grid, refinement.planes).at (0);
@@ -105,7 +108,7 @@ TEST (Refinement, LosesNoPointOfAPlane)
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     sum += scene.points[i];
-  EXPECT_LT ((all.sum - sum).norm(), 1e-3);
+  EXPECT_LT ((all.sum - sum).norm(), 1_mm);
 }
 
 TEST (Refinement, IsEmptyWhereAllVoxelsAreOnPlanes)
@@ -125,24 +128,25 @@ TEST (Refinement, GivesFinerVoxelsThePlaneOfTheirCoarseVoxel)
   EXPECT_EQ (refinement.planes.planes[0].offset, scene.planes.planes[0].offset);
   for (std::size_t i = 0; i < grid.size(); ++i)
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
-               isRight (grid.moments[i].centroid()) ? no_plane : 0);
+               isUnexplained (grid.moments[i].centroid()) ? no_plane : 0);
 }
 
 TEST (Refinement, GivesFinerVoxelsNoPlaneThatTheirPointsAreNotOn)
 {
-  // An object of 5 x 5 cm lies 4 cm above the ground, within a voxel of the tenth row.
-  // That row is the last one on the plane. It is refined as the neighbor of the voxels
+  // An object of 5 x 5 cm is 4 cm above the ground, in a voxel of the row from x = 0.9
+  // m to 1 m. That row is on the plane, and is refined as the neighbor of voxels
   // without a plane.
-  constexpr double limit = 8_cm; // z of centroids: 9 cm at the object, 5 cm elsewhere
+  constexpr double min_z_of_object = 8_cm; // centroids: 9 cm there, 5 cm on the ground
   VoxelScene scene ({{ground}});
   addGrid (scene.points, {{0.95, 0.5, 0.09}, {0.05, 0, 0}, {0, 0.05, 0}}, 12);
   scene.voxelize();
-  scene.label (no_plane, isRight);
+  scene.label (no_plane, isUnexplained);
   const Refinement refinement = refined (scene);
   const VoxelGrid& grid = refinement.grid;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const Eigen::Vector3d centroid = grid.moments[i].centroid();
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
-               isRight (centroid) || centroid.z() > limit ? no_plane : 0);
+               isUnexplained (centroid) || centroid.z() > min_z_of_object ? no_plane
+                                                                          : 0);
   }
 }

@@ -8,6 +8,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief Fewest points in a dense voxel and its neighbors together. */
 constexpr double min_points = 30.0;
 constexpr int dense_steps = 120;
 constexpr std::size_t dense_points = dense_steps * dense_steps;
@@ -23,7 +24,7 @@ denseAndSparse (int sparse_steps)
   return connectedGrid (points, 10_cm);
 }
 
-/** \brief The sparse points of a grid if all its points have the label \p label. */
+/** \brief Indices of the sparse points of a grid whose points all have this label. */
 Indices
 sparseAmong (const VoxelGrid& grid, std::int32_t label = no_plane)
 {
@@ -36,12 +37,13 @@ sparseAmong (const VoxelGrid& grid, std::int32_t label = no_plane)
 
 TEST (SparsePoints, AreThosePointsThatHaveFewPointsAround)
 {
-  Indices sparse (20 * 20);
+  constexpr int sparse_steps = 20;
+  Indices sparse (sparse_steps * sparse_steps);
   std::iota (sparse.begin(), sparse.end(), static_cast<std::uint32_t> (dense_points));
-  EXPECT_EQ (sparseAmong (denseAndSparse (20)), sparse);
+  EXPECT_EQ (sparseAmong (denseAndSparse (sparse_steps)), sparse);
 }
 
-TEST (SparsePoints, AreOnNoPlaneAndAHundredthToHalfOfTheCloud)
+TEST (SparsePoints, AreNoneIfOnAPlaneOrLessThanAHundredthOrMoreThanHalfOfTheCloud)
 {
   EXPECT_TRUE (sparseAmong (denseAndSparse (20), 0).empty()) << "on a plane";
   EXPECT_TRUE (sparseAmong (denseAndSparse (12)).empty())
@@ -50,13 +52,15 @@ TEST (SparsePoints, AreOnNoPlaneAndAHundredthToHalfOfTheCloud)
       << "more than half: the voxel size suits them already";
 }
 
-TEST (SparsePoints, AreOnNoPlaneIfTheyScatterLikeAMist)
+TEST (SparsePoints, LoseThePlaneThatTheyScatterAboutLikeAMist)
 {
-  // Each plane has 100 points, by turns above and below it. Points of plane 2 scatter
-  // by as much as they are apart, and far more than those of the dense plane. Plane 0
-  // scatters by only a tenth of its spacing; plane 1 by only 5 times the noise of the
-  // dense plane, less than other_noise.
-  const auto plane = [] (double spacing, double height) {
+  // The points of plane 2 scatter by as much as their spacing, and by 10 times the
+  // noise of the dense plane: they are a mist. Those of plane 0 scatter by only a tenth
+  // of their spacing; those of plane 1 by 5 times the noise of the dense plane, which
+  // is less than other_noise_ratio.
+  //
+  // 10 x 10 points, by turns above and below a plane by a height [m].
+  const auto momentsOfGrid = [] (double spacing, double height) {
     pcl_ops::Moments moments;
     for (int i = 0; i < 100; ++i)
       moments.add (spacing * (i / 10),
@@ -64,10 +68,11 @@ TEST (SparsePoints, AreOnNoPlaneIfTheyScatterLikeAMist)
                    i % 2 == i / 10 % 2 ? height : -height);
     return moments;
   };
-  AssignedPoints sparse{
-      {0, 1, no_plane, 2, 0},
-      {plane (1_m, 10_cm), plane (10_cm, 5_cm), plane (10_cm, 10_cm)}};
-  rejectMist ({plane (1_cm, 1_cm)}, one_thread, sparse);
+  AssignedPoints sparse{{0, 1, no_plane, 2, 0},
+                        {momentsOfGrid (1_m, 10_cm),
+                         momentsOfGrid (10_cm, 5_cm),
+                         momentsOfGrid (10_cm, 10_cm)}};
+  rejectMist ({momentsOfGrid (1_cm, 1_cm)}, one_thread, sparse);
   EXPECT_EQ (sparse.labels, (pcl_ops::Labels{0, 1, no_plane, no_plane, 0}));
   EXPECT_EQ (sparse.moments[0].count, 100.0);
   EXPECT_EQ (sparse.moments[2].count, 0.0);

@@ -12,20 +12,25 @@ namespace {
 
 using Surfels = std::vector<std::optional<Surfel>>;
 
-/** \brief In 25 voxels, in the plane of the ground but a meter beyond its end. */
+/** \brief A square in 25 voxels, in the plane of the ground but a meter beyond its end.
+ */
 const Surface tile = {{3, 0, 0.05}, {0.5, 0, 0}, {0, 0.5, 0}};
 
 using Parameters = pcl_ops::OrientedPointSamplingParameters;
 
+/** \brief Of surfels that may be on a plane: their noise over their spread. */
 constexpr double max_thickness = 0.25;
 
 /** \brief The surfels of a grid at three resolutions, each of 30 points or more. */
 Surfels
 usualSurfels (const VoxelGrid& grid)
 {
-  return findSurfels (grid, 3, 30.0, one_thread);
+  constexpr int resolutions = 3;
+  constexpr double min_points = 30.0;
+  return findSurfels (grid, resolutions, min_points, one_thread);
 }
 
+/** \brief The planes that given surfels of a grid are on. */
 BoundedPlanes
 planesAmong (const VoxelGrid& grid,
              const Surfels& surfels,
@@ -36,34 +41,40 @@ planesAmong (const VoxelGrid& grid,
   return planes;
 }
 
+/** \brief The planes that the usual surfels of a grid are on. */
 BoundedPlanes
 planesOf (const VoxelGrid& grid, const Parameters& parameters = {})
 {
   return planesAmong (grid, usualSurfels (grid), parameters);
 }
 
+/** \brief Voxels of 10 cm of surfaces.
+ * \param[in] max_offset of points along the normal, as in \ref addGrid [m] */
 VoxelGrid
 gridOf (const std::vector<Surface>& surfaces, double max_offset = 0.0)
 {
   return VoxelScene ({surfaces}, max_offset).grid();
 }
 
-/** \brief Half a barrel, 2 m long.
+/** \brief Voxels of 10 cm of half a barrel, 2 m long, along z.
  * \param[in] radius [m] */
 VoxelGrid
 barrel (double radius)
 {
   Coordinates points;
-  for (int i = 0; i < 400; ++i)
-    for (int j = 0; j < 200; ++j)
-      points.add (static_cast<float> (radius * std::cos (pi * i / 400)),
-                  static_cast<float> (radius * std::sin (pi * i / 400)),
+  constexpr int steps_of_half_turn = 400, steps_of_length = 200;
+  for (int i = 0; i < steps_of_half_turn; ++i)
+    for (int j = 0; j < steps_of_length; ++j)
+      points.add (static_cast<float> (radius * std::cos (pi * i / steps_of_half_turn)),
+                  static_cast<float> (radius * std::sin (pi * i / steps_of_half_turn)),
                   static_cast<float> (0.01 * j));
-  return connectedGrid (points, 0.1);
+  return connectedGrid (points, 10_cm);
 }
 
-/** \brief A surfel of thickness 0 through the centroid of each voxel.
- * \param[in] change called for each (surfel, centroid): sets its normal and the like */
+/** \brief A surfel through the centroid of each voxel, of thickness 0 and noise 0
+ * unless \p change sets other values.
+ * \param[in] change called with (surfel, centroid) for each; may set the normal, the
+ * thickness and the noise of the surfel */
 template <typename Change>
 Surfels
 surfelsWith (const VoxelGrid& grid, Change&& change)
@@ -118,17 +129,21 @@ TEST (VoxelExtraction, StopsAtAStepOfManyTimesTheNoise)
   const VoxelGrid grid = gridOf ({ground, step}, 3_mm);
   const BoundedPlanes planes = planesOf (grid);
   ASSERT_EQ (planes.size(), 2u);
-  std::set<std::pair<std::int32_t, bool>> sides; // a plane, whether left of the step
+  std::set<std::int32_t> planes_before_step, planes_behind_step;
   for (std::size_t i = 0; i < grid.size(); ++i)
-    if (planes.plane_of_voxel[i] != no_plane)
-      sides.emplace (planes.plane_of_voxel[i], grid.moments[i].centroid().x() < 2.0);
-  EXPECT_EQ (sides.size(), 2u) << "each plane is on one side alone";
+    if (planes.plane_of_voxel[i] != no_plane) {
+      const bool is_before = grid.moments[i].centroid().x() < 2.0;
+      (is_before ? planes_before_step : planes_behind_step)
+          .insert (planes.plane_of_voxel[i]);
+    }
+  EXPECT_EQ (planes_before_step.size() + planes_behind_step.size(), 2u)
+      << "a plane is on both sides";
 }
 
 TEST (VoxelExtraction, AsksForThetaNConnectedVoxels)
 {
   const VoxelGrid grid = gridOf ({tile});
-  Parameters parameters;
+  Parameters parameters; // min_samples is theta_N
   parameters.min_samples = grid.size();
   EXPECT_EQ (planesOf (grid, parameters).size(), 1u);
   parameters.min_samples = grid.size() + 1;
@@ -137,17 +152,18 @@ TEST (VoxelExtraction, AsksForThetaNConnectedVoxels)
 
 TEST (VoxelExtraction, LeavesAnIslandOfFewerThanThetaNVoxels)
 {
-  // The 25 voxels of the tile.
+  // The tile has 25 voxels.
   const VoxelGrid grid = gridOf ({ground, tile});
   Parameters parameters;
   parameters.min_samples = 25;
-  EXPECT_EQ (planesOf (grid, parameters).size(), 2u) << "not connected";
+  EXPECT_EQ (planesOf (grid, parameters).size(), 2u) << "a plane of its own";
   parameters.min_samples = 26;
   EXPECT_EQ (countVoxelsOn (no_plane, planesOf (grid, parameters)), 25u);
 }
 
 TEST (VoxelExtraction, LeavesMostOfABarrelAlone)
 {
+  // Only a few narrow strips are flat enough for a plane.
   const VoxelGrid slender = barrel (40_cm), wide = barrel (1_m);
   EXPECT_GT (countVoxelsOn (no_plane, planesOf (slender)), 70_percent * slender.size());
   EXPECT_GT (countVoxelsOn (no_plane, planesOf (wide)), 90_percent * wide.size());
@@ -155,8 +171,9 @@ TEST (VoxelExtraction, LeavesMostOfABarrelAlone)
 
 TEST (VoxelExtraction, BeginsWithTheFlattestSurfels)
 {
-  // The surfels of a second surface at x = 5 m have a thickness of 0.05. Those of the
-  // ground, which is larger and has the first voxel, are flatter or thicker.
+  // The surfels of a second surface, which begins at x = 5 m, have a thickness of 0.05.
+  // Those of the ground, which is larger and has the first voxel, are flatter or
+  // thicker.
   for (const double ground_thickness : {0.0, 0.1}) {
     const VoxelGrid grid = gridOf ({ground, {{5, 0, 1}, {1, 0, 0}, {0, 1, 0}}});
     const auto surfels = surfelsWith (
@@ -173,7 +190,7 @@ TEST (VoxelExtraction, BeginsWithTheFlattestSurfels)
 
 TEST (VoxelExtraction, AddsToPlanesFoundBefore)
 {
-  // The left half of the ground is on a plane already; the right one is found now.
+  // The half of the ground with x < 1 m is on a plane already; the other is found now.
   const VoxelGrid grid = gridOf ({ground});
   BoundedPlanes planes;
   planes.planes.push_back ({Eigen::Vector3d::UnitX(), 7.0});
@@ -190,8 +207,9 @@ TEST (VoxelExtraction, AddsToPlanesFoundBefore)
 
 TEST (VoxelExtraction, LeavesOutSurfelsThatLean)
 {
-  // The normals of the right half of the ground lean by 40 degrees; its surfels are
-  // thicker, so that planes begin at the left half.
+  // The normals of the half of the ground with x > 1 m lean by 40 degrees, which is
+  // more than the default limit of 30. Its surfels are thicker, so that planes begin at
+  // the other half.
   const VoxelGrid grid = gridOf ({ground});
   const auto surfels =
       surfelsWith (grid, [] (Surfel& surfel, const Eigen::Vector3d& centroid) {
@@ -199,7 +217,8 @@ TEST (VoxelExtraction, LeavesOutSurfelsThatLean)
         surfel.thickness = centroid.x() < 1.0 ? 0.0 : 0.1;
       });
   Parameters parameters;
-  EXPECT_EQ (countVoxelsOn (0, planesAmong (grid, surfels, parameters)), 200u);
+  EXPECT_EQ (countVoxelsOn (0, planesAmong (grid, surfels, parameters)),
+             voxels_of_surface / 2);
   parameters.surfels.angle_threshold = 50_deg;
   EXPECT_EQ (countVoxelsOn (0, planesAmong (grid, surfels, parameters)),
              voxels_of_surface);
@@ -210,7 +229,7 @@ TEST (VoxelExtraction, LeavesOutThickSurfelsAndVoxelsWithoutOne)
   const VoxelGrid grid = gridOf ({ground});
   Surfels surfels =
       surfelsWith (grid, [] (Surfel& surfel, const Eigen::Vector3d& centroid) {
-        surfel.thickness = centroid.x() < 0.5 ? 0.26 : 0.24;
+        surfel.thickness = max_thickness + (centroid.x() < 0.5 ? 0.01 : -0.01);
       });
   const BoundedPlanes planes = planesAmong (grid, surfels);
   EXPECT_EQ (countVoxelsOn (0, planes), 300u);
@@ -223,25 +242,26 @@ TEST (VoxelExtraction, LeavesOutThickSurfelsAndVoxelsWithoutOne)
 
 TEST (VoxelExtraction, RefitsAPlaneOnItsWay)
 {
-  // Every surfel leans by 3 degrees: the plane of a single surfel leaves the ground
-  // after 20 cm.
+  // Every surfel leans by 3 degrees: the plane of the first surfel alone is farther
+  // from the ground than the noise allows from 20 cm on.
   const VoxelGrid grid = gridOf ({ground});
   const auto surfels = surfelsWith (grid, [] (Surfel& surfel, const auto&) {
     surfel.plane.normal = leaning (3_deg);
   });
   Parameters parameters;
-  parameters.min_samples = 400;
+  parameters.min_samples = voxels_of_surface;
   const BoundedPlanes planes = planesAmong (grid, surfels, parameters);
   ASSERT_EQ (planes.size(), 1u);
   EXPECT_EQ (countVoxelsOn (0, planes), voxels_of_surface);
-  EXPECT_TRUE (isNear (planes.planes[0], ground, 1e-3, 1e-3));
+  constexpr double max_angle = 1e-3; // [rad]
+  EXPECT_TRUE (isNear (planes.planes[0], ground, max_angle, 1_mm));
 }
 
 TEST (VoxelExtraction, TakesNoMoreThanHalfAgainTheNoiseOfTheVoxelBefore)
 {
-  // 79 rows of voxels have surfels with a noise of 1 cm. The last row has surfels with
-  // a noise of 10 cm, as next to another surface, which counts as 1.5 cm. It lies off
-  // the plane by less than twice 1.5 cm, or by more.
+  // The surfels of 79 rows of voxels have a noise of 1 cm. Those of the last row have a
+  // noise of 10 cm, as next to another surface, which counts as 1.5 cm. A voxel may be
+  // twice its noise off the plane (noise_factor): 3 cm.
   for (const double distance : {2_cm, 4_cm}) {
     const VoxelGrid grid =
         gridOf ({{{0, 0, 0.05}, {7.9, 0, 0}, {0, 2, 0}},

@@ -13,17 +13,20 @@ const Surface floor_of_the_scene = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 const Surface wall_of_the_scene = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
 constexpr int three_resolutions = 3;
+/** \brief Fewest points of a neighborhood. */
+constexpr double usual_min_points = 30.0;
 
-/** \brief Surfels at three resolutions. As in the engine on voxels, a neighborhood has
- * 30 points or more, and as many as eight voxels hold on average or more. */
+/** \brief Surfels at three resolutions. A neighborhood has 30 points or more, and at
+ * least as many as eight voxels hold on average. */
 std::vector<std::optional<Surfel>>
 surfelsOf (const VoxelGrid& grid)
 {
-  const double min_points = std::max (30.0, 8.0 * meanPointsPerVoxel (grid));
+  const double min_points =
+      std::max (usual_min_points, 8.0 * meanPointsPerVoxel (grid));
   return findSurfels (grid, three_resolutions, min_points, one_thread);
 }
 
-/** \brief Voxels of 10 cm of the floor, with steps x steps points.
+/** \brief Voxels of 10 cm of the floor, which has steps x steps points.
  * \param[in] max_offset of points along the normal, as in \ref addGrid [m] */
 VoxelGrid
 floorOf (int steps, double max_offset = 0.0)
@@ -38,7 +41,8 @@ floorAndWall ()
   return connectedGrid (gridsOf ({floor_of_the_scene, wall_of_the_scene}, 120), 10_cm);
 }
 
-/** \brief Whether a normal at the edge is neither the floor's nor the wall's. */
+/** \brief Whether a normal is more than 5 degrees from those of floor and wall, as if
+ * the surface were bent round their edge. */
 bool
 isBent (const Eigen::Vector3d& normal)
 {
@@ -54,14 +58,16 @@ TEST (OrientedVoxels, HaveTheNormalOfAnExactPlane)
   for (const std::optional<Surfel>& surfel :
        surfelsOf (connectedGrid (gridsOf ({board}, 100), 10_cm))) {
     ASSERT_TRUE (surfel.has_value());
-    EXPECT_LT (angleBetween (surfel->plane.normal, board.normal()), 1e-3);
-    EXPECT_LT (surfel->noise, 1e-5);
+    constexpr double max_angle = 1e-3; // [rad]
+    constexpr double max_noise = 1e-5; // [m]
+    EXPECT_LT (angleBetween (surfel->plane.normal, board.normal()), max_angle);
+    EXPECT_LT (surfel->noise, max_noise);
   }
 }
 
 TEST (OrientedVoxels, MeasureTheNoiseAroundThem)
 {
-  // Evenly spread within +-2 cm: a standard deviation of 2 cm / sqrt (3).
+  // Offsets drawn uniformly up to 2 cm have a standard deviation of 2 cm / sqrt (3).
   const VoxelGrid grid = floorOf (200, 2_cm);
   for (const std::optional<Surfel>& surfel : surfelsOf (grid)) {
     ASSERT_TRUE (surfel.has_value());
@@ -74,7 +80,7 @@ TEST (OrientedVoxels, KeepTheirOwnSurfacesNormalNextToAnEdge)
   std::size_t bent = 0;
   for (const std::optional<Surfel>& surfel : surfelsOf (floorAndWall()))
     bent += !surfel || isBent (surfel->plane.normal);
-  // Only the voxels that hold points of both surfaces, one row of twenty, may bend.
+  // Only the 20 voxels that hold points of both surfaces may have a bent normal.
   EXPECT_LE (bent, 20u);
 }
 
@@ -92,25 +98,26 @@ TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighborsHelp)
 TEST (OrientedVoxels, OfAVolumeAreThick)
 {
   constexpr double edge_of_cube = 4_m;
-  // The eight voxels that meet in the middle of the cube are neighbors: each has all
-  // points around it.
+  // The cube is in the eight voxels that meet at its middle. These are neighbors: the
+  // neighborhood of each has all points.
   constexpr double edge_of_voxel = 20_m;
-  for (const std::optional<Surfel>& surfel :
-       surfelsOf (connectedGrid (pointsInACube (2000, edge_of_cube), edge_of_voxel)))
-    EXPECT_TRUE (!surfel || surfel->thickness > 0.8);
+  constexpr std::size_t points_in_cube = 2000;
+  for (const std::optional<Surfel>& surfel : surfelsOf (
+           connectedGrid (pointsInACube (points_in_cube, edge_of_cube), edge_of_voxel)))
+    EXPECT_TRUE (!surfel || surfel->thickness > 0.8) << "a ball has 1";
 }
 
 TEST (OrientedVoxels, TakeACoarserNeighborhoodWhereNoiseHidesTheFinest)
 {
-  // Offsets up to 5 cm, an rms of 3 cm, in voxels of 5 cm: thick at one resolution,
-  // flat at three.
+  // Offsets up to 5 cm, an rms of 3 cm, in voxels of 5 cm: neighborhoods of the finest
+  // resolution are thick, those of the coarsest of three are flat.
   const VoxelGrid grid =
-      connectedGrid (gridsOf ({floor_of_the_scene}, 200, 5_cm), 0.05);
+      connectedGrid (gridsOf ({floor_of_the_scene}, 200, 5_cm), 5_cm);
   const auto meanThickness = [&grid] (int resolutions) {
     double sum = 0.0;
     for (const std::optional<Surfel>& surfel :
-         findSurfels (grid, resolutions, 30.0, one_thread))
-      sum += surfel ? surfel->thickness : 1.0;
+         findSurfels (grid, resolutions, usual_min_points, one_thread))
+      sum += surfel ? surfel->thickness : 1.0; // 1 without a surfel, as a ball has
     return sum / static_cast<double> (grid.size());
   };
   EXPECT_GT (meanThickness (1), 0.4);
@@ -122,30 +129,33 @@ TEST (OrientedVoxels, TakeTheCoarserNeighborhoodThatTheyLieIn)
   // Noise hides the finest neighborhood, on a floor and on a wall far from the floor.
   const Surface far_wall = {{4, 0, 0}, {0, 2, 0}, {0, 0, 2}};
   const VoxelGrid grid =
-      connectedGrid (gridsOf ({floor_of_the_scene, far_wall}, 200, 5_cm), 0.05);
-  const auto surfels = findSurfels (grid, three_resolutions, 30.0, one_thread);
-  std::size_t right = 0;
+      connectedGrid (gridsOf ({floor_of_the_scene, far_wall}, 200, 5_cm), 5_cm);
+  const auto surfels =
+      findSurfels (grid, three_resolutions, usual_min_points, one_thread);
+  std::size_t correct = 0;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const bool is_on_wall = grid.moments[i].centroid().x() > 3.0;
     const Eigen::Vector3d normal =
         (is_on_wall ? far_wall : floor_of_the_scene).normal();
-    right += surfels[i] && angleBetween (surfels[i]->plane.normal, normal) < 5_deg;
+    correct += surfels[i] && angleBetween (surfels[i]->plane.normal, normal) < 5_deg;
   }
-  EXPECT_GT (static_cast<double> (right), 0.9 * static_cast<double> (grid.size()));
+  EXPECT_GT (static_cast<double> (correct), 0.9 * static_cast<double> (grid.size()));
 }
 
 TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
 {
   // 36 points in a voxel, 324 in a neighborhood of nine.
+  constexpr int one_resolution = 1;
+  constexpr double min_points = 325.0; // one more
   for (const std::optional<Surfel>& surfel :
-       findSurfels (floorOf (120), 1, 325.0, one_thread))
+       findSurfels (floorOf (120), one_resolution, min_points, one_thread))
     EXPECT_FALSE (surfel);
 }
 
 TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 {
-  // A roof of many slopes, each as long as a voxel: it is flat within a voxel, but not
-  // in a neighborhood.
+  // A zigzag roof of many slopes, each 10 cm long, as a voxel, and 8 cm high: it is
+  // flat within a voxel, but not in a neighborhood.
   Coordinates points = gridsOf ({floor_of_the_scene}, 200);
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] = 0.01f + 0.8f * std::abs (std::remainder (points.x[i], 0.2f));
@@ -157,8 +167,8 @@ TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 
 TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighborhood)
 {
-  // Half as uneven as the roof of the test before, but each point has an offset of its
-  // own.
+  // Offsets within 4 cm, which is half the height of the zigzag roof of the test
+  // before, but each point has an offset of its own.
   for (const std::optional<Surfel>& surfel : surfelsOf (floorOf (200, 2_cm)))
     EXPECT_TRUE (surfel);
 }
@@ -167,16 +177,16 @@ TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
 {
   const VoxelGrid grid = floorOf (120);
   pcl_ops::Labels plane_of_voxel (grid.size(), pcl_ops::no_plane);
-  std::fill_n (plane_of_voxel.begin(), 100, 0);
-  const auto surfels =
-      findSurfels (grid, three_resolutions, 30.0, one_thread, plane_of_voxel);
+  constexpr std::size_t voxels_on_plane = 100; // the first ones, on plane 0
+  std::fill_n (plane_of_voxel.begin(), voxels_on_plane, 0);
+  const auto surfels = findSurfels (
+      grid, three_resolutions, usual_min_points, one_thread, plane_of_voxel);
   for (std::size_t i = 0; i < grid.size(); ++i)
-    EXPECT_EQ (surfels[i].has_value(), i >= 100);
+    EXPECT_EQ (surfels[i].has_value(), i >= voxels_on_plane);
 }
 
 TEST (OrientedVoxels, HaveNoSurfelOnAWire)
 {
-  // A millimeter wide in voxels of ten centimeters.
   const Surface wire = {{0, 0, 0}, {2, 0, 0}, {0, 1_mm, 0}};
   for (const std::optional<Surfel>& surfel :
        surfelsOf (connectedGrid (gridsOf ({wire}, 120), 10_cm)))
@@ -185,14 +195,18 @@ TEST (OrientedVoxels, HaveNoSurfelOnAWire)
 
 TEST (OrientedVoxels, TakeNoNormalOfAPlaneThatTheyAreNotOn)
 {
-  // Four stray points above a floor: their voxel has the flat floor around it.
+  // Four stray points in a voxel above a floor: the neighborhood of that voxel is flat,
+  // but its own points are not on the plane of the floor.
   Coordinates points = gridsOf ({{{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}}, 120);
-  addGrid (points, {{1.0, 1.0, 0.1}, {0.1, 0, 0}, {0, 0.1, 0.1}}, 2);
+  constexpr int stray_steps = 2;
+  addGrid (points, {{1.0, 1.0, 0.1}, {0.1, 0, 0}, {0, 0.1, 0.1}}, stray_steps);
   const VoxelGrid grid = connectedGrid (points, 10_cm);
   const auto surfels = surfelsOf (grid);
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (surfels[i]) {
-      const double max_distance = 1.5 * std::max (surfels[i]->noise, 3_mm);
+      constexpr double smallest_noise = 3_mm; // 3 % of the voxel size
+      // Noises up to 1.5 times as large count as alike.
+      const double max_distance = 1.5 * std::max (surfels[i]->noise, smallest_noise);
       EXPECT_LT (meanSquaredDistance (grid.moments[i], surfels[i]->plane),
                  max_distance * max_distance);
     }

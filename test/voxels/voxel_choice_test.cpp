@@ -8,34 +8,39 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Steps of the grid on each of two floors of 4 m: 100,000 points. */
+/** \brief Steps of the grid on each of two floors of 4 m x 4 m: 100,000 points. */
 constexpr int many_steps = 224;
+constexpr double default_rate = 0.03;
 /** \brief A sampling rate by which the points of both floors are in some 420 voxels of
- * 20 cm. */
+ * 20 cm if only their number decides. */
 constexpr double low_rate = 0.003;
 
-/** \brief Voxels of a floor of 40 m with 40,000 points, 13 in a voxel, and 10,000 more
- * points on a patch of it. Half of the points lie \p noise above the floor and half as
- * far below. */
+/** \brief Voxels of a floor of 40 m x 40 m with 40,000 points, 13 in a voxel, and
+ * 10,000 more points on a square patch of it. Half of the points lie \p noise [m] above
+ * the floor and half as far below.
+ * \param[in] patch_edge [m] */
 VoxelGrid
 gridOfFloorWithPatch (double patch_edge, double noise)
 {
-  constexpr double default_rate = 0.03;
+  constexpr int floor_steps = 141, patch_steps = 70; // at each of two heights
   const double corner = -0.5 * patch_edge;
   Points points;
-  // Around 15 cm and not around zero, where voxels begin.
+  // The floor is at 15 cm, not at zero, where voxels begin: both heights are in one
+  // voxel.
   for (const double height : {15_cm - noise, 15_cm + noise}) {
-    addGrid (points, {{-20, -20, height}, {40, 0, 0}, {0, 40, 0}}, 141);
-    addGrid (
-        points, {{corner, corner, height}, {patch_edge, 0, 0}, {0, patch_edge, 0}}, 70);
+    addGrid (points, {{-20, -20, height}, {40, 0, 0}, {0, 40, 0}}, floor_steps);
+    addGrid (points,
+             {{corner, corner, height}, {patch_edge, 0, 0}, {0, patch_edge, 0}},
+             patch_steps);
   }
   return voxelizeByNoise (points, default_rate, one_thread).coarse;
 }
 
-/** \brief Voxels of a floor of 4 m whose right half has two layers.
+/** \brief Voxels of a floor of 4 m x 4 m whose half with x > 0 has two layers, as two
+ * steps of a quantized depth.
  * \param[in] apart distance of the layers [m] */
 VoxelGrid
-gridOfHalfTwoLayers (double apart)
+gridOfFloorWithHalfInTwoLayers (double apart)
 {
   const Points points = gridsOf ({{{-2, -2, 0}, {2, 0, 0}, {0, 4, 0}},
                                   {{0, -2, 0}, {2, 0, 0}, {0, 4, 0}},
@@ -44,8 +49,9 @@ gridOfHalfTwoLayers (double apart)
   return voxelizeByNoise (points, low_rate, one_thread).coarse;
 }
 
-/** \brief Voxels of two floors of 4 m, one above the other.
- * \param[in] apart distance of the floors [m] */
+/** \brief Voxels of two floors of 4 m x 4 m, one above the other, with steps x steps
+ * points each.
+ * \param[in] apart distance of the floors [m]; half of it is their noise as one floor */
 VoxelGrid
 gridOfFloors (double apart, int steps, double sampling_rate)
 {
@@ -66,28 +72,29 @@ TEST (VoxelChoice, TakesSmallVoxelsOfManyPointsWithoutNoise)
 
 TEST (VoxelChoice, TakesVoxelsOfSeventyTimesTheNoise)
 {
-  // The floors are 2.8 mm apart: as one floor with a noise of 1.4 mm. There are points
-  // enough for voxels of 70 times that.
+  // The floors are 2.8 mm apart: one floor with a noise of 1.4 mm. Voxels of 70 times
+  // that, 10 cm, still have points enough.
   EXPECT_NEAR (gridOfFloors (0.0028, many_steps, low_rate).voxel_size, 10_cm, 1_cm);
 }
 
 TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
 {
-  // Exact planes, and planes whose noise alone would allow voxels of 36 mm.
+  // An exact floor, and one with a noise of 0.5 mm, which alone would allow voxels of
+  // 36 mm.
   for (const double apart : {0.0, 1_mm})
     EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many_steps, low_rate)), 8.0);
   constexpr int few_steps = 23;
-  constexpr double default_rate = 0.03;
   EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, few_steps, default_rate)), 3.0)
       << "a small cloud";
 }
 
-TEST (VoxelSizeFor, OfAnyCloudTellsTwoPointsApart)
+TEST (VoxelSizeFor, TwoPointsIsPositiveAndAtMostTheirDistance)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   cloud.push_back ({-4, 0, 0});
   cloud.push_back ({4, 0, 0});
-  const double size = pcl_ops::voxelSizeFor (pcl_ops::CloudView (cloud), 2.0);
+  constexpr double wanted_voxels = 2.0;
+  const double size = pcl_ops::voxelSizeFor (pcl_ops::CloudView (cloud), wanted_voxels);
   EXPECT_GT (size, 0.0);
   EXPECT_LE (size, 8.0);
 }
@@ -95,7 +102,7 @@ TEST (VoxelSizeFor, OfAnyCloudTellsTwoPointsApart)
 TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)
 {
   Points points = gridsOf ({{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, many_steps);
-  points.origin = {0.0, 1e6, 0.0}; // steps of 6.25 cm
+  points.origin = {0.0, 1e6, 0.0}; // a step is 6.25 cm; voxels have 16 steps or more
   EXPECT_GE (voxelizeByNoise (points, low_rate, one_thread).coarse.voxel_size, 1_m);
 }
 
@@ -107,25 +114,27 @@ TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
 
 TEST (VoxelChoice, SuitsTheDensePlacesOfACloudUnlessTheyAreNoisy)
 {
-  // As in a scan of a lidar; spread over the whole floor the patch changes nothing.
+  // A dense patch, as near a lidar. A patch of 40 m covers the whole floor: then the
+  // density is even.
   const double exact = gridOfFloorWithPatch (4_m, 0.0).voxel_size;
   EXPECT_LT (exact, 0.6 * gridOfFloorWithPatch (40_m, 0.0).voxel_size);
   EXPECT_GT (gridOfFloorWithPatch (4_m, 5_cm).voxel_size, 1.5 * exact);
 }
 
-TEST (VoxelChoice, TakesTheStepsOfAQuantizedDepthForNoLackOfNoise)
+TEST (VoxelChoice, TakesLargerVoxelsWhereHalfOfTheFloorIsInTwoStepsOfAQuantizedDepth)
 {
-  EXPECT_GT (gridOfHalfTwoLayers (4_cm).voxel_size,
-             1.5 * gridOfHalfTwoLayers (0.0).voxel_size);
+  EXPECT_GT (gridOfFloorWithHalfInTwoLayers (4_cm).voxel_size,
+             1.5 * gridOfFloorWithHalfInTwoLayers (0.0).voxel_size);
 }
 
 TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
 {
-  // A floor of 40 m with 90,000 points, in voxels of some 2 m, and 40,000 points more
-  // on a square millimeter of it. Voxels shrink to a sixteenth at most, 12 cm.
+  // A floor of 40 m x 40 m with 90,000 points, in voxels of some 2 m, and 40,000 more
+  // points on a square millimeter of it. Voxels become 1/16 as large at most, 12 cm.
+  constexpr int floor_steps = 300, dense_steps = 200;
   Points points;
-  addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 300);
-  addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, 200);
+  addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, floor_steps);
+  addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, dense_steps);
   const VoxelGrid grid = voxelizeByNoise (points, low_rate, one_thread).coarse;
   EXPECT_GT (grid.voxel_size, 10_cm);
 }

@@ -9,7 +9,8 @@ using namespace pcl_ops::internal;
 TEST (RoundedUpLength, IsTheNextNumberAboveWithOneDigit)
 {
   EXPECT_EQ (roundedUpLength (0.25), "0.3");
-  for (int digit = 1; digit < 9; ++digit)
-    EXPECT_EQ (roundedUpLength (digit / 10.0), "0." + std::to_string (digit + 1));
+  for (int tenths = 1; tenths < 9; ++tenths)
+    EXPECT_EQ (roundedUpLength (tenths / 10.0), "0." + std::to_string (tenths + 1))
+        << "not the number itself";
   EXPECT_EQ (roundedUpLength (0.9), "1");
 }

@@ -18,6 +18,7 @@
 
 namespace pcl_ops {
 
+/** \brief Parameters of \ref findFloorPlan. */
 struct FloorPlanParameters {
   /** \brief Height over the lowest floor at which walls are cut [m]; for another story
    * add its height. The default is above most furniture and below the heads of doors
@@ -46,16 +47,16 @@ struct PlanOpening {
   /** \brief Its ends in the frame of the plan [m]. */
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
-  /** \brief Height over the floor of the next wall point below the cut [m]; not set if
-   * the wall has no points there. */
+  /** \brief Height over the floor of the highest wall point below the cut, in the
+   * middle of the opening [m]; not set if the wall has no points there. */
   std::optional<double> sill;
-  /** \brief The same of the next wall point above the cut. */
+  /** \brief The same of the lowest wall point above the cut. */
   std::optional<double> head;
   /** \brief Index, into FloorPlan::rooms, of the room before the wall: within 0.3 m of
    * that side. Not set if there is no room. */
   std::optional<std::size_t> room_before;
-  /** \brief The same of the room behind the wall: within 0.3 m of that side; if it was
-   * not seen, within 0.7 m behind the wall. */
+  /** \brief The same of the room behind the wall: within 0.3 m of the other side of the
+   * wall; if that side was not seen, within 0.7 m behind this one. */
   std::optional<std::size_t> room_behind;
 
   double
@@ -71,8 +72,8 @@ struct PlanOpening {
   isDoor () const;
 };
 
-/** \brief One side of a wall, from corner to corner. The room before the wall is on the
- * left, looking from \ref from to \ref to. */
+/** \brief One side of a wall, from corner to corner. The room before the wall, at its
+ * front, is on the left, looking from \ref from to \ref to. */
 struct PlanWall {
   /** \brief Its ends in the frame of the plan [m]. */
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
@@ -96,14 +97,16 @@ struct PlanWall {
   solidParts () const;
 };
 
+/** \brief A room of a plan. */
 struct PlanRoom {
-  /** \brief The outline counter-clockwise, then holes clockwise. */
+  /** \brief The outline counter-clockwise, then holes clockwise, in the frame of the
+   * plan [m]. */
   PlanarRings rings;
   /** \brief Area of the outline minus the area of the holes [m^2]. */
   double area = 0.0;
-  /** \brief Share of the outline on walls and their openings, 0.5 to 1. At the rest the
-   * room continues, or its walls were not seen. Areas with a smaller share are no
-   * rooms. */
+  /** \brief Share of the length of the outline that is on walls and their openings, 0.5
+   * to 1. Elsewhere the room continues, or its walls were not seen. Areas with a
+   * smaller share are no rooms. */
   double enclosed = 0.0;
   /** \brief Both ends of each part of the outline without a wall, in the frame of the
    * plan [m]. Parts shorter than 5 cm are left out. */
@@ -113,7 +116,7 @@ struct PlanRoom {
   std::optional<double> floor;
   /** \brief Height of the ceiling, as of the floor. */
   std::optional<double> ceiling;
-  /** \brief A position inside the room, for a label. */
+  /** \brief A position inside the room, for a label, in the frame of the plan [m]. */
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
 };
 

@@ -41,9 +41,9 @@ toString (PlaneKind kind);
  *
  * Large level surfaces make stories: the lowest is a floor, the next one above head
  * height is the ceiling, and one just above a ceiling is the floor of the next story.
- * All other planes are classified by their place in their story. A plane whose normal
- * points down counts as seen from below. A plane whose normal points up may be seen
- * from above or, if the sensor position is not known, from either side. If the
+ * All other planes are classified by their position in their story. A plane whose
+ * normal points down counts as seen from below. A plane whose normal points up may be
+ * seen from above or, if the sensor position is not known, from either side. If the
  * viewpoint is given, planes below it are no ceilings, and the sensor may lean: if the
  * ground below it slopes by 3 to 12 degrees, and hardly any plane is more level, the
  * normal of the ground replaces \p up.

@@ -15,6 +15,7 @@
 
 namespace pcl_ops {
 
+/** \brief Parameters of \ref regularizePlanes. */
 struct PlaneRegularizationParameters {
   /** \brief Planes become parallel or orthogonal if their angle differs by at most this
    * from 0 or pi/2 [rad]; by default 3 degrees. */
@@ -22,11 +23,12 @@ struct PlaneRegularizationParameters {
   /** \brief Parallel planes become coplanar if they are within this distance [m]. Not
    * given: 3 sqrt (rms1^2 + rms2^2). */
   std::optional<double> max_offset;
-  /** \brief Largest displacement of a plane: the rms change of the distances of its
-   * inliers to it, over their rms distance to it before. A move that is farther is not
-   * made; so a plane of rms 0 never moves. The covariance of a plane is rms^2 (A^T
-   * A)^-1 (\ref independentPlaneCovariance). So a displacement of 1 is sqrt (n) of its
-   * standard deviations for n points. */
+  /** \brief Largest displacement of a plane. The displacement is the rms change of the
+   * distances of its inliers to it, over their rms distance to it before the move: it
+   * has no unit. A larger move is not made; so a plane of rms 0 never moves. The
+   * covariance of a plane with n inliers is rms^2 (A^T A)^-1 (\ref
+   * independentPlaneCovariance). So a displacement of 1 is sqrt (n) standard
+   * deviations. */
   double max_displacement = 1.0;
 };
 
@@ -50,11 +52,12 @@ struct PlaneMove {
   std::size_t level = 0;
 };
 
+/** \brief The result of \ref regularizePlanes. */
 struct RegularizedPlanes {
   /** \brief Planes in the order of the input, with new centroids and normals. Inliers
    * and moments are unchanged, so that rms () is about the new plane. */
   std::vector<PlaneSegment> planes;
-  std::vector<PlaneMove> moves;
+  std::vector<PlaneMove> moves; // of each plane
 };
 
 /** \brief Makes nearly parallel, orthogonal and coplanar planes exactly parallel,

@@ -14,14 +14,21 @@
 // Input and output of the detection functions that the detector classes call.
 namespace pcl_ops::detail {
 
-/** \brief The user's neighbor search as functions. They return neighbors as indices
- * into the input cloud with squared distances [m^2]. */
+/** \brief A neighbor search as functions: the user's or the library's. They return
+ * neighbors as indices into the input cloud with squared distances [m^2]. */
 struct NeighborSearch {
   /** \brief Finds the k nearest neighbors of a point of the cloud, itself included. */
-  std::function<void (pcl::index_t, int k, pcl::Indices&, std::vector<float>&)> nearest;
+  std::function<void (pcl::index_t point,
+                      int k,
+                      pcl::Indices& neighbors,
+                      std::vector<float>& squared_distances)>
+      nearest;
   /** \brief Finds all points within a radius [m] of a point of the cloud, itself
-   * included. */
-  std::function<void (pcl::index_t, double radius, pcl::Indices&, std::vector<float>&)>
+   * included. Empty for the library's own search. */
+  std::function<void (pcl::index_t point,
+                      double radius,
+                      pcl::Indices& neighbors,
+                      std::vector<float>& squared_distances)>
       within;
   /** \brief Number of threads that may search at the same time; 0: all. */
   unsigned threads = 1;
@@ -50,7 +57,7 @@ struct Detection {
   /** \brief By descending number of inliers, in the frame of the input cloud. */
   std::vector<PlaneSegment> planes;
   StageDurations durations;
-  std::size_t planes_before_merging = 0;
+  std::size_t planes_before_merging = 0; // their number
   UsedLengths used;
 };
 

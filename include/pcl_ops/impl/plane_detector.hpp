@@ -24,11 +24,17 @@ detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
     search->setInputCloud (
         cloud,
         finite.empty() ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
-    const auto nearest = [=] (auto point, int k, auto& neighbors, auto& distances) {
-      search->nearestKSearch ((*cloud)[point], k, neighbors, distances);
+    const auto nearest = [=] (pcl::index_t point,
+                              int k,
+                              pcl::Indices& neighbors,
+                              std::vector<float>& squared_distances) {
+      search->nearestKSearch ((*cloud)[point], k, neighbors, squared_distances);
     };
-    const auto within = [=] (auto point, double r, auto& neighbors, auto& distances) {
-      search->radiusSearch ((*cloud)[point], r, neighbors, distances);
+    const auto within = [=] (pcl::index_t point,
+                             double radius,
+                             pcl::Indices& neighbors,
+                             std::vector<float>& squared_distances) {
+      search->radiusSearch ((*cloud)[point], radius, neighbors, squared_distances);
     };
     // Only GridSearch and pcl::search::KdTree are known to be thread-safe.
     const std::string& name = search->getName();

@@ -21,7 +21,7 @@ constexpr std::uint32_t seed_of_jitter = 2;
  * distributions, which are therefore not used. */
 using RandomGenerator = std::mt19937;
 
-/** Uniform, from [0, 1). */
+/** Draws a number from 0, included, to 1, excluded, with uniform probability. */
 double
 drawUnit (RandomGenerator& generator)
 {
@@ -32,7 +32,8 @@ drawUnit (RandomGenerator& generator)
 void
 move (ChangedCloud& changed)
 {
-  // No multiples of voxel sizes that a detector may use [m].
+  // Not multiples of a usual voxel size, so that voxels begin elsewhere in the cloud
+  // [m].
   const Eigen::Vector3f shift (0.0371f, 0.0613f, 0.0829f);
   for (pcl::PointXYZ& point : *changed.cloud)
     point.getVector3fMap() += shift;
@@ -42,7 +43,7 @@ move (ChangedCloud& changed)
 void
 turn (ChangedCloud& changed)
 {
-  constexpr double angle = 3.14159265358979323846 / 6.0; // [rad]
+  constexpr double angle = 3.14159265358979323846 / 6.0; // 30 degrees [rad]
   const Eigen::Matrix3d rotation =
       Eigen::AngleAxisd (angle, Vector3d::UnitZ()).toRotationMatrix();
   const auto turned = [&rotation] (const Eigen::Vector3f& point) {
@@ -58,10 +59,11 @@ turn (ChangedCloud& changed)
 void
 thin (ChangedCloud& changed)
 {
-  constexpr std::size_t one_in = 100;
+  constexpr std::size_t points_per_removed_point = 100;
   const std::size_t all = changed.points.size();
-  const std::size_t left_out = (all + one_in - 1) / one_in; // rounded up
-  changed.points = drawIndices (all, all - left_out);
+  const std::size_t removed =
+      (all + points_per_removed_point - 1) / points_per_removed_point; // rounded up
+  changed.points = drawIndices (all, all - removed);
   const XyzCloud before = *changed.cloud;
   pcl::copyPointCloud (before, changed.points, *changed.cloud);
 }
@@ -96,13 +98,13 @@ const std::array<CloudChange, 5> cloud_changes{{{"moved", move},
                                                 {"rounded", roundToMillimeters}}};
 
 pcl::Indices
-drawIndices (std::size_t all, std::size_t count)
+drawIndices (std::size_t size, std::size_t count)
 {
   RandomGenerator generator (seed_of_points);
   pcl::Indices points;
   points.reserve (count);
-  for (std::size_t i = 0; i < all; ++i)
-    if (drawUnit (generator) * double (all - i) < double (count - points.size()))
+  for (std::size_t i = 0; i < size; ++i)
+    if (drawUnit (generator) * double (size - i) < double (count - points.size()))
       points.push_back (pcl::index_t (i));
   return points;
 }

@@ -54,6 +54,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/** Simulates a cloud and returns its finite points with their truth. */
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
 {
@@ -73,12 +74,12 @@ simulated (const simulation::Simulation& simulation)
   return finite;
 }
 
-/** Data sets of simulated scenes, one per seed. */
+/** Data sets whose clouds are the same kind of scene, one for each seed. */
 const struct SceneDataSet {
-  const char* name;  // before the colon of a text for \ref dataSetOf
-  const char* scene; // see simulation::Simulation, as the others
-  const char* sensor = "";
-  bool has_raw_depth = false;
+  const char* name;           // before the colon of a text for dataSetOf
+  const char* scene;          // Simulation::scene
+  const char* sensor = "";    // Simulation::sensor; empty: none
+  bool has_raw_depth = false; // Simulation::has_raw_depth
 } scene_data_sets[] = {{"rooms", "room"},
                        {"rooms-raw", "room", "", true},
                        {"rooms-kinect", "room-kinect"},
@@ -96,20 +97,21 @@ const struct SceneDataSet {
                        {"streets-hills", "street-hills", "lidar-64-level"},
                        {"streets-livox", "street", "livox"}};
 
-/** Returns \ref EvaluationCloud::thick_length of a scene. It grows with the range of
- * the sensor, as noise and the unevenness of the ground do [m]. */
+/** Returns \ref EvaluationCloud::thick_length of a scene [m]. It grows with the range
+ * of the sensor, as noise and the unevenness of the ground do. */
 double
 thickLengthOf (const SceneDataSet& scenes)
 {
-  constexpr double of_airborne_surveys = 0.5;
-  constexpr double of_lidar_scans = 0.1;
+  constexpr double in_airborne_surveys = 0.5;
+  constexpr double in_lidar_scans = 0.1;
   if (std::string (scenes.scene) == "airborne")
-    return of_airborne_surveys;
+    return in_airborne_surveys;
   const bool has_lidar = !std::string (scenes.sensor).empty();
-  return has_lidar ? of_lidar_scans : usual_thick_length;
+  return has_lidar ? in_lidar_scans : usual_thick_length;
 }
 
-/** \param[in] seeds "3-20", or "7" for one scene */
+/** Returns a cloud for each seed.
+ * \param[in] seeds "3-20", or "7" for one scene */
 DataSet
 scenesDataSet (const SceneDataSet& scenes, const std::string& seeds)
 {
@@ -145,11 +147,14 @@ scenesDataSet (const SceneDataSet& scenes, const std::string& seeds)
   return clouds;
 }
 
-/** \param[in] sizes numbers of points, separated by commas */
+/** Returns a scan of a whole room for each number of points.
+ * \param[in] name of the data set
+ * \param[in] sizes numbers of points, separated by commas */
 DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
-  // Limit for the memory: a point takes 16 bytes, and 56 more while it is simulated.
+  // The limit holds memory below 8 GB: a point takes 16 bytes, and 56 more while it is
+  // simulated.
   const Range of_points = from (1).upTo (1e8);
   DataSet clouds;
   std::istringstream list (sizes);
@@ -205,6 +210,9 @@ takeThickLength (std::string& text)
   return parseNumber<double> ("length behind @", length, above (0));
 }
 
+/** Returns the clouds of a file or a folder, with the field label, if there is one, as
+ * exact truth.
+ * \param[in] path may end with @ and a thick length */
 DataSet
 cloudsDataSet (std::string path, const Vector3d& up)
 {
@@ -218,9 +226,8 @@ cloudsDataSet (std::string path, const Vector3d& up)
     clouds.push_back ({name.empty() ? "clouds" : name,
                        file.lexically_relative (folder).generic_string(),
                        [input = file.string(), up, thick_length] {
-                         constexpr bool needs_labels = false;
                          const LabeledCloud all =
-                             loadLabeledCloud (input, needs_labels);
+                             loadLabeledCloud (input, WithoutLabels::LeaveEmpty);
                          EvaluationCloud finite = finiteOf (all.cloud, all.labels);
                          finite.up = up;
                          finite.thick_length = thick_length;
@@ -262,8 +269,11 @@ firstWordsOf (const fs::path& file)
              : stem.substr (0, stem.find ('_', first_gap + 1));
 }
 
-/** \param[in] kind "real", "real-instances" or "wild"
- * \param[in] path a file, a folder, or FOLDER/BEGINNING* for files with this beginning
+/** Returns real clouds. Their data sets are named by the kind and \ref firstWordsOf the
+ * file.
+ * \param[in] kind "real", "real-instances" or "wild"
+ * \param[in] path a file, a folder, or FOLDER/BEGINNING* for files with this beginning;
+ * it may end with @ and a thick length
  * \param[in] truth_field empty: there is no truth */
 DataSet
 realDataSet (const std::string& kind,
@@ -313,27 +323,28 @@ finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
 
 namespace {
 
-/** \param[in] kind text before the colon
- * \param[in] rest path or numbers behind the colon
+/** Returns the data set of a kind.
+ * \param[in] kind text before the colon
+ * \param[in] source text behind the colon: a path, seeds or numbers of points
  * \return nullopt if the kind is unknown */
 std::optional<DataSet>
-findDataSet (const std::string& kind, const std::string& rest, const Vector3d& up)
+findDataSet (const std::string& kind, const std::string& source, const Vector3d& up)
 {
   if (kind == "sunrgbd" || kind == "sunrgbd-raw")
-    return sunRgbdDataSet (rest, kind == "sunrgbd-raw");
+    return sunRgbdDataSet (source, kind == "sunrgbd-raw");
   if (kind == "simulated")
-    return scansDataSet (kind, rest);
+    return scansDataSet (kind, source);
   if (kind == "clouds")
-    return cloudsDataSet (rest, up);
+    return cloudsDataSet (source, up);
   if (kind == "real")
-    return realDataSet (kind, rest, "label", up);
+    return realDataSet (kind, source, "label", up);
   if (kind == "real-instances")
-    return realDataSet (kind, rest, "instance", up);
+    return realDataSet (kind, source, "instance", up);
   if (kind == "wild")
-    return realDataSet (kind, rest, "", up);
+    return realDataSet (kind, source, "", up);
   for (const SceneDataSet& scenes : scene_data_sets)
     if (kind == scenes.name)
-      return scenesDataSet (scenes, rest);
+      return scenesDataSet (scenes, source);
   return std::nullopt;
 }
 
@@ -344,10 +355,10 @@ dataSetOf (const std::string& text, const Eigen::Vector3f& up)
 {
   const std::size_t colon = text.find (':');
   const std::string kind = text.substr (0, colon);
-  const std::string rest = colon == std::string::npos ? "" : text.substr (colon + 1);
+  const std::string source = colon == std::string::npos ? "" : text.substr (colon + 1);
   std::optional<DataSet> found;
-  if (!rest.empty())
-    found = findDataSet (kind, rest, up.cast<double>().normalized());
+  if (!source.empty())
+    found = findDataSet (kind, source, up.cast<double>().normalized());
   if (!found)
     throw UsageError (text, std::string ("is no data set; give ") + data_set_help);
   return *std::move (found);

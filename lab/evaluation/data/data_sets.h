@@ -8,9 +8,11 @@
 
 namespace pcl_ops::evaluation {
 
-/** The bend of walls and the sensor noise in rooms stay below this rms distance [m]. */
+/** Default of EvaluationCloud::thick_length: in rooms, the bend of walls and the sensor
+ * noise stay below this rms distance [m]. */
 constexpr double usual_thick_length = 0.03;
 
+/** A cloud on which detectors are run, and what is known of it. */
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
   std::optional<PlaneLabels> truth; // exact truth, one label per point; 0: no plane
@@ -18,18 +20,18 @@ struct EvaluationCloud {
    * of this cloud count. */
   std::optional<std::size_t> min_plane_points = std::nullopt;
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
-  /** The organized cloud whose finite points \ref cloud has, in the same order; null:
-   * there is none. */
+  /** The organized cloud of which \ref cloud has the finite points, in the same order;
+   * nullptr: there is none. */
   XyzCloud::ConstPtr image = nullptr;
-  /** Whether the truth of a point is unknown, per point; empty: all truth is known. */
+  /** For each point, whether its truth is unknown; empty: all truth is known. */
   std::vector<char> is_ignored = {};
   /** Whether \ref growRegions makes the truth of a cloud that has no exact truth. */
   bool grows_truth = true;
-  /** A found plane with a larger rms distance counts as thick [m]. */
+  /** A found plane counts as thick if the rms distance of its points is larger [m]. */
   double thick_length = usual_thick_length;
 };
 
-/** Removes non-finite points; an organized cloud is kept as the image.
+/** Returns the finite points of a cloud; an organized cloud is also kept as the image.
  * \param[in] labels one per point of the cloud; empty: no truth */
 EvaluationCloud
 finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels);
@@ -48,8 +50,9 @@ using DataSet = std::vector<CloudSource>;
 /** Syntax of the texts that \ref dataSetOf takes, for --help. */
 extern const char* const data_set_help;
 
-/** Simulated clouds have exact truth. Files have it in the field label, or instance
- * for "real-instances"; "wild" has no truth, SUN RGB-D has grown truth.
+/** Returns the data set that a text names. Simulated clouds have exact truth. Files
+ * have it in the field label, or instance for "real-instances"; "wild" has no truth,
+ * SUN RGB-D has grown truth.
  * \param[in] text see \ref data_set_help
  * \param[in] up direction against gravity in point cloud files, of any length
  * \throw apps::UsageError for any other text, apps::WorkError if the folder has no

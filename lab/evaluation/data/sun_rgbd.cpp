@@ -22,14 +22,17 @@ namespace fs = std::filesystem;
 
 const std::string raw_folder = "depth", refined_folder = "depth_bfx";
 
-/** \throw apps::WorkError with the problem of the file if a condition is not met */
+/** \throw apps::WorkError with the problem of the file if the condition is not met */
 void
-require (bool is_right, const fs::path& file, const std::string& problem)
+require (bool condition, const fs::path& file, const std::string& problem)
 {
-  if (!is_right)
+  if (!condition)
     throw apps::WorkError (file.string(), problem);
 }
 
+/** Returns the last file of a folder by name.
+ * \param[in] extension of the files, with its dot
+ * \throw apps::WorkError if there is no such file */
 fs::path
 lastFileIn (const fs::path& folder, const std::string& extension)
 {
@@ -82,8 +85,8 @@ hasGamma (const std::string& bytes)
 DepthImage
 readDepthPng (const fs::path& file)
 {
-  const auto requirePng = [&file] (bool is_right, const std::string& problem) {
-    require (is_right, file, problem + "; get the file again");
+  const auto requirePng = [&file] (bool condition, const std::string& problem) {
+    require (condition, file, problem + "; get the file again");
   };
   // The last chunk of every PNG file: length 0, type and checksum.
   static const std::string end_chunk ("\0\0\0\0IEND\xae\x42\x60\x82", 12);
@@ -112,7 +115,9 @@ readDepthPng (const fs::path& file)
   return image;
 }
 
-/** \param[in] image depth [mm], its 16 bits rotated left by 3; 0: no reading
+/** Returns the points of a depth image in a frame with x to the right, y forward and z
+ * against gravity [m].
+ * \param[in] image depth [mm], its 16 bits rotated left by 3; 0: no reading
  * \param[in] intrinsics pinhole camera matrix [pixel]
  * \param[in] extrinsics rotation from the camera's frame (x right, y down, z forward)
  * to a frame of the same axes, but with y along gravity */
@@ -135,21 +140,24 @@ cloudOf (const DepthImage& image,
     const std::uint16_t stored = image.data()[i];
     if (stored == 0)
       continue;
-    // Rotates the bits back to the right.
+    // The stored bits are rotated back to the right by 3.
     const auto millimeters = std::uint16_t (stored >> 3 | stored << 13);
     const double depth = std::min (millimeters * meters_per_millimeter, max_depth);
-    const double x = (i % image.cols() - intrinsics (0, 2)) / intrinsics (0, 0) * depth;
-    const double y = (i / image.cols() - intrinsics (1, 2)) / intrinsics (1, 1) * depth;
+    const Eigen::Index column = i % image.cols();
+    const Eigen::Index row = i / image.cols();
+    const double x = (column - intrinsics (0, 2)) / intrinsics (0, 0) * depth;
+    const double y = (row - intrinsics (1, 2)) / intrinsics (1, 1) * depth;
     const Vector3d point (x, y, depth);
     (*cloud)[i].getVector3fMap() = (rotation * point).cast<float>();
   }
   return finiteOf (cloud, {});
 }
 
+/** \param[in] frame folder of the frame */
 EvaluationCloud
 readFrame (const fs::path& frame, bool is_raw)
 {
-  constexpr double max_rotation_error = 1e-3;
+  constexpr double max_rotation_error = 1e-3; // of each element of R R^T - I
   const fs::path intrinsics_file = frame / "intrinsics.txt";
   const Eigen::Matrix3d intrinsics = readMatrix<3, 3> (intrinsics_file);
   require (intrinsics (0, 0) > 0.0 && intrinsics (1, 1) > 0.0,
@@ -159,10 +167,9 @@ readFrame (const fs::path& frame, bool is_raw)
   const Eigen::Matrix3d rotation = readMatrix<3, 4> (extrinsics_file).leftCols<3>();
   const Eigen::Matrix3d error =
       rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
-  require (error.cwiseAbs().maxCoeff() <= max_rotation_error &&
-               rotation.determinant() >= 0.0,
-           extrinsics_file,
-           "holds no rotation; get the file again");
+  const bool is_rotation = error.cwiseAbs().maxCoeff() <= max_rotation_error &&
+                           rotation.determinant() >= 0.0;
+  require (is_rotation, extrinsics_file, "holds no rotation; get the file again");
   const fs::path depth_file =
       lastFileIn (frame / (is_raw ? raw_folder : refined_folder), ".png");
   EvaluationCloud result = cloudOf (readDepthPng (depth_file), intrinsics, rotation);
@@ -177,27 +184,26 @@ DataSet
 sunRgbdDataSet (const std::string& folder, bool is_raw)
 {
   std::set<fs::path> frames;
-  std::error_code ignored;
-  std::error_code unread; // a folder below, which ends the loop
+  std::error_code ignored; // without a folder, no frame is found
+  std::error_code error;   // of a folder below that cannot be read, which ends the loop
   constexpr auto with_links = fs::directory_options::follow_directory_symlink;
   for (fs::recursive_directory_iterator entry (folder, with_links, ignored), end;
        entry != end;
-       entry.increment (unread)) {
+       entry.increment (error)) {
     const fs::path name = entry->path().filename();
     if ((name == raw_folder || name == refined_folder) && entry->is_directory (ignored))
       frames.insert (entry->path().parent_path());
   }
-  require (!unread,
+  require (!error,
            folder,
-           "has a folder that cannot be read (" + unread.message() +
+           "has a folder that cannot be read (" + error.message() +
                "); change its permissions");
   require (!frames.empty(),
            folder,
            "has no SUN RGB-D frame (a folder with depth or depth_bfx, "
            "intrinsics.txt and extrinsics); give the folder SUNRGBD");
   DataSet clouds;
-  // Without a slash at its end, as the paths of frames are.
-  fs::path root (folder);
+  fs::path root (folder); // without a slash at its end, as the paths of frames
   if (!root.has_filename())
     root = root.parent_path();
   // If the folder is itself a frame, the cloud has the name of the folder.

@@ -13,20 +13,22 @@ namespace pcl_ops::evaluation {
 namespace {
 
 constexpr std::size_t fewest_points_of_region = 50;
-constexpr double max_distance = 0.05; // to a region's plane [m]
-/** A region's plane is fitted when it has this number of points, and again whenever the
- * number has grown by a factor. */
-constexpr double points_of_first_fit = 10.0, growth_until_next_fit = 1.3;
+constexpr double max_distance = 0.05; // of a point to the plane of its region [m]
+/** The plane of a region is fitted first when the region has this number of points. */
+constexpr double points_of_first_fit = 10.0;
+/** It is fitted again whenever the number of points has grown by this factor. */
+constexpr double growth_until_next_fit = 1.3;
 
 struct PointWithNormal {
   Vector3d position;
-  pcl::Indices neighbors; // the point is one of them
+  pcl::Indices neighbors; // nearest points of the cloud, the point itself included
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   /** Smallest eigenvalue of the covariance of the neighbors over the sum of all three;
    * infinite if there is no normal. */
   float curvature = std::numeric_limits<float>::infinity();
 };
 
+/** \param[in] neighbors number of neighbors, the point itself included */
 std::vector<PointWithNormal>
 pointsWithNormals (const XyzCloud& cloud, int neighbors)
 {
@@ -37,11 +39,11 @@ pointsWithNormals (const XyzCloud& cloud, int neighbors)
     points.push_back ({position.getVector3fMap().cast<double>(), {}});
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (cloud.makeShared());
-  const int wanted = std::min (int (cloud.size()), std::max (1, neighbors));
+  const int neighbor_count = std::min (int (cloud.size()), std::max (1, neighbors));
   std::vector<float> squared_distances; // not used
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointWithNormal& point = points[i];
-    tree.nearestKSearch (cloud[i], wanted, point.neighbors, squared_distances);
+    tree.nearestKSearch (cloud[i], neighbor_count, point.neighbors, squared_distances);
     Moments moments;
     moments.origin = point.position;
     for (const pcl::index_t j : point.neighbors)
@@ -54,7 +56,8 @@ pointsWithNormals (const XyzCloud& cloud, int neighbors)
   return points;
 }
 
-/** Grows a region from a seed point and marks its points as taken. */
+/** Grows a region from a seed point and marks its points as taken.
+ * \param[in,out] is_taken for each point, whether it is in this or an earlier region */
 pcl::PointIndices
 regionFrom (pcl::index_t seed,
             const std::vector<PointWithNormal>& points,
@@ -73,8 +76,10 @@ regionFrom (pcl::index_t seed,
     const PointWithNormal& member = points[region.indices[next]];
     for (const pcl::index_t j : member.neighbors) {
       const PointWithNormal& other = points[j];
-      if (is_taken[j] || std::abs (other.normal.dot (member.normal)) < min_cosine ||
-          std::abs (plane.distance (other.position)) > max_distance)
+      const bool stays_outside =
+          is_taken[j] || std::abs (other.normal.dot (member.normal)) < min_cosine ||
+          std::abs (plane.distance (other.position)) > max_distance;
+      if (stays_outside)
         continue;
       is_taken[j] = true;
       region.indices.push_back (j);

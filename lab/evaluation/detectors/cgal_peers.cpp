@@ -32,19 +32,21 @@ using OrientedPoints = std::vector<OrientedPoint>;
 using PointMap = CGAL::Nth_of_tuple_property_map<0, OrientedPoint>;
 using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
 
-/** Neighbors for a normal in CGAL's tutorial. */
+/** Number of neighbors for a normal in CGAL's tutorial. */
 constexpr unsigned tutorial_neighbors = 24;
-/** Points of the smallest region. CGAL drops a smaller one and grows it again from each
- * of its points: with 0.2 % of the points, as for Efficient RANSAC, that takes minutes.
- */
+/** Default number of points of the smallest region. CGAL drops a smaller one and grows
+ * it again from each of its points: with min_share_of_plane as the default, as for
+ * Efficient RANSAC, that takes minutes. */
 constexpr std::size_t min_points_of_region = 50;
-/** Largest angle between normals: CGAL's default for both detectors. */
-constexpr float normal_degrees = 25.0f;
+/** Largest angle between the normals of a point and of its plane: CGAL's default for
+ * both detectors [degree]. */
+constexpr float max_normal_angle = 25.0f;
 /** Probability to miss the largest plane: CGAL's default. */
 constexpr float miss_probability = 0.05f;
 /** Share of the points that the smallest plane of Efficient RANSAC has, by default. */
 constexpr double min_share_of_plane = 0.002;
 
+/** Returns the number of neighbors for a normal. */
 unsigned
 neighborsFor (const PeerTask& task)
 {
@@ -53,6 +55,7 @@ neighborsFor (const PeerTask& task)
   return is_of_tutorial ? tutorial_neighbors : unsigned (task.values.neighbors);
 }
 
+/** Returns the points of the cloud with their normals. */
 OrientedPoints
 orientedPointsOf (const PeerTask& task)
 {
@@ -71,6 +74,7 @@ orientedPointsOf (const PeerTask& task)
   return points;
 }
 
+/** \param[in] members of the plane, as indices into points */
 pcl::PointIndices
 planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
 {
@@ -82,6 +86,7 @@ planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
 
 namespace growing = CGAL::Shape_detection::Point_set;
 
+/** Returns the points of each region, as indices into points. */
 std::vector<std::vector<std::size_t>>
 regionsOf (const OrientedPoints& points, const PeerTask& task)
 {
@@ -96,7 +101,7 @@ regionsOf (const OrientedPoints& points, const PeerTask& task)
   using Sorting =
       growing::Least_squares_plane_fit_sorting<Kernel, OrientedPoints, Query, PointMap>;
   Query query (points, neighbors);
-  Region region (points, threshold, normal_degrees, min_points);
+  Region region (points, threshold, max_normal_angle, min_points);
   Sorting sorting (points, query);
   sorting.sort();
   CGAL::Shape_detection::
@@ -112,7 +117,7 @@ regionsOf (const OrientedPoints& points, const PeerTask& task)
   auto region = growing::make_least_squares_plane_fit_region (
       set,
       CGAL::parameters::maximum_distance (threshold)
-          .maximum_angle (normal_degrees)
+          .maximum_angle (max_normal_angle)
           .minimum_region_size (min_points));
   auto sorting = growing::make_least_squares_plane_fit_sorting (set, query);
   sorting.sort();
@@ -145,7 +150,7 @@ planesByCgalRansac (const PeerTask& task)
       task.minPoints (std::size_t (min_share_of_plane * double (points.size())) + 1);
   parameters.epsilon = float (task.values.threshold);
   parameters.cluster_epsilon = float (task.values.gap);
-  parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));
+  parameters.normal_threshold = std::cos (pcl::deg2rad (max_normal_angle));
   ransac.detect (parameters);
 
   Planes planes;

@@ -29,11 +29,12 @@ using Ops = OrientedPointSampling<pcl::PointXYZ>;
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
-/** Returns the name of a row of the paper, such as ops-3-30. */
+/** Returns the name of a row of the paper's tables by two of its parameters, such as
+ * ops-3-30. */
 std::string
-rowName (const char* prefix, double first, double second)
+rowName (const char* prefix, double first_parameter, double second_parameter)
 {
-  return apps::concatenate (prefix, '-', first, '-', second);
+  return apps::concatenate (prefix, '-', first_parameter, '-', second_parameter);
 }
 
 /** Returns the clock for \ref timed: that of the thread, if there is one thread. */
@@ -43,16 +44,18 @@ clockFor (const RunSettings& settings)
   return settings.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC;
 }
 
+/** Adds a configuration of a detector of this project. Up axis, seed, threads and, if
+ * given, the sampling rate come from the settings of a run. */
 template <typename Detector>
 void
-add (std::vector<Configuration>& all,
-     const std::string& name,
-     const std::string& group,
-     const typename Detector::Parameters& of_configuration)
+addConfiguration (std::vector<Configuration>& all,
+                  const std::string& name,
+                  const std::string& group,
+                  const typename Detector::Parameters& of_configuration)
 {
   const auto run = [of_configuration] (const XyzCloud::ConstPtr& cloud,
                                        const RunSettings& settings) {
-    auto parameters = of_configuration;
+    typename Detector::Parameters parameters = of_configuration;
     parameters.up_axis = settings.up.cast<float>();
     parameters.seed = settings.seed;
     parameters.threads = settings.threads;
@@ -60,7 +63,7 @@ add (std::vector<Configuration>& all,
       parameters.sampling_rate =
           settings.sampling_rate.value_or (parameters.sampling_rate);
     DetectorRun result;
-    double detection = 0.0;
+    double detection = 0.0; // [ms]
     const auto detect = [&] {
       Detector detector;
       detector.setParameters (parameters);
@@ -87,12 +90,12 @@ addPieces (std::vector<Configuration>& all)
 {
   const auto run = [] (const XyzCloud::ConstPtr& cloud, const RunSettings& settings) {
     Ops detector;
-    auto parameters = detector.getParameters();
+    Ops::Parameters parameters = detector.getParameters();
     parameters.up_axis = settings.up.cast<float>();
     parameters.threads = settings.threads;
     detector.setParameters (parameters);
     detector.setInputCloud (cloud);
-    double detection = 0.0;
+    double detection = 0.0; // [ms]
     std::vector<pcl::PointIndices> inliers;
     const auto detect = [&] {
       std::vector<PlaneSegment> planes;
@@ -116,45 +119,46 @@ addPieces (std::vector<Configuration>& all)
 void
 addOwnDetectors (std::vector<Configuration>& all)
 {
-  add<Ops> (all, "ops", "presets", {});
+  addConfiguration<Ops> (all, "ops", "presets", {});
   Ops::Parameters on_voxels;
   on_voxels.sampling = Sampling::Surfels;
-  add<Ops> (all, "ops-voxels", "sampling", on_voxels);
-  auto ops = Ops::Parameters::paper();
+  addConfiguration<Ops> (all, "ops-voxels", "sampling", on_voxels);
   addPieces (all);
-  const auto addOps = [&] (const char* prefix, double percent) {
+  Ops::Parameters ops = Ops::Parameters::paper();
+  const auto addRowsOfOps = [&] (const char* prefix, double percent) {
     ops.sampling_rate = percent / 100.0;
     for (ops.k = 10; ops.k <= 30; ops.k += 10)
-      add<Ops> (all, rowName (prefix, percent, ops.k), "table3", ops);
+      addConfiguration<Ops> (all, rowName (prefix, percent, ops.k), "table3", ops);
   };
   for (const double percent : {0.3, 0.5, 0.7, 1.0, 3.0})
-    addOps ("ops", percent);
+    addRowsOfOps ("ops", percent);
   ops.paper_only.strategy = PaperParameters::Strategy::DetectThenDivide;
-  addOps ("ops-s1", 3.0);
-  add<Fspf> (all, "fspf", "presets", {});
-  auto fspf = Fspf::Parameters::paper();
-  for (const double factor : {1.0, 2.0})
+  addRowsOfOps ("ops-s1", 3.0);
+  addConfiguration<Fspf> (all, "fspf", "presets", {});
+  Fspf::Parameters fspf = Fspf::Parameters::paper();
+  for (const double factor : {1.0, 2.0}) // of the outer over the inner radius
     for (const double radius : {0.03, 0.05, 0.07, 0.1, 0.3}) {
       fspf.local.inner_radius = radius;
       fspf.local.outer_radius = factor * radius;
-      add<Fspf> (all, rowName ("fspf", radius, factor * radius), "table1", fspf);
+      addConfiguration<Fspf> (
+          all, rowName ("fspf", radius, factor * radius), "table1", fspf);
     }
-  add<Kht> (all, "kht", "presets", {});
-  auto kht = Kht::Parameters::paper();
+  addConfiguration<Kht> (all, "kht", "presets", {});
+  Kht::Parameters kht = Kht::Parameters::paper();
   for (const int phi_num : {30, 40, 60, 80}) {
     kht.phi_num = phi_num;
     kht.rho_num = 10 * phi_num;
-    add<Kht> (all, rowName ("kht", phi_num, 10 * phi_num), "table2", kht);
+    addConfiguration<Kht> (all, rowName ("kht", phi_num, 10 * phi_num), "table2", kht);
   }
 }
 
-/** Adds the default preset with one parameter switched off at a time. Parameters of
- * surfels have no effect on neighborhoods, the default. */
+/** Adds the default preset with one parameter switched off at a time (group ablation).
+ * Parameters of surfels have no effect on neighborhoods, the default. */
 void
 addAblation (std::vector<Configuration>& all)
 {
   using Parameters = Ops::Parameters;
-  constexpr double no_limit = 1e6;
+  constexpr double no_limit = 1e6; // [noises]
   const struct {
     const char* name;
     void (*switch_off) (Parameters&);
@@ -173,7 +177,8 @@ addAblation (std::vector<Configuration>& all)
   for (const auto& [name, switch_off] : ingredients) {
     Parameters parameters;
     switch_off (parameters);
-    add<Ops> (all, std::string ("ops-without-") + name, "ablation", parameters);
+    addConfiguration<Ops> (
+        all, std::string ("ops-without-") + name, "ablation", parameters);
   }
 }
 

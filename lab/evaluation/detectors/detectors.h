@@ -10,6 +10,7 @@
 
 namespace pcl_ops::evaluation {
 
+/** The result of one run of a detector. */
 struct DetectorRun {
   PlaneLabels labels; // one per point; plane numbers in any order; 0: no plane
   std::size_t planes_before_merging = 0;
@@ -24,24 +25,29 @@ constexpr double usual_peer_threshold = 0.05;
 struct RunSettings {
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
   std::uint32_t seed = 42;
-  XyzCloud::ConstPtr image = nullptr;           // see EvaluationCloud
-  double peer_threshold = usual_peer_threshold; // distance to a plane [m]
-  /** Standard deviation of the points; nullopt: measured from the cloud [m]. */
+  XyzCloud::ConstPtr image = nullptr; // EvaluationCloud::image
+  /** Largest distance of a point to its plane, for peers with the parameters of their
+   * tutorials [m]. */
+  double peer_threshold = usual_peer_threshold;
+  /** Standard deviation of the distances of points to their plane [m], for peers with
+   * parameters from the cloud; nullopt: measured from the cloud. */
   std::optional<double> peer_noise = std::nullopt;
-  /** Neighbors from which peers estimate a normal; nullopt: their default. */
+  /** Number of neighbors from which peers estimate a normal; nullopt: their default. */
   std::optional<int> peer_neighbors = std::nullopt;
-  /** Points of the smallest plane that peers look for; nullopt: their default. */
+  /** Number of points of the smallest plane that peers look for; nullopt: their
+   * default.
+   */
   std::optional<std::size_t> peer_min_points = std::nullopt;
   /** For detectors of this project; the time of the detection is processor time of one
    * thread, or wall time of several. */
   unsigned threads = 1;
-  /** For OPS; nullopt: the rate of the configuration. */
+  /** Share of the points that OPS samples; nullopt: that of the configuration. */
   std::optional<double> sampling_rate = std::nullopt;
-  /** Names of the cloud in results.csv. */
+  /** Names of the data set and of the cloud in results.csv. */
   std::string data_set = {}, cloud_name = {};
 };
 
-/** \return the time of a clock of the operating system [ms] */
+/** Returns the time of a clock of the operating system [ms]. */
 inline double
 now (clockid_t clock)
 {
@@ -66,14 +72,14 @@ timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIM
 struct Configuration {
   std::string name;
   std::set<std::string> groups; // see allConfigurations
-  /** Expects finite points. */
+  /** Finds planes in a cloud of finite points. */
   std::function<DetectorRun (const XyzCloud::ConstPtr& cloud,
                              const RunSettings& settings)>
       run;
-  /** A detector of another project, whose time has no known bound. */
+  /** Whether it is a detector of another project, whose time has no known bound. */
   bool is_peer = false;
-  bool needs_image = false;
-  std::string version = {}; // empty: version of this project
+  bool needs_image = false; // RunSettings::image
+  std::string version = {}; // name and version of its project; empty: this project
   /** Whether it reads a user's labels (\ref ownLabels), which may have changed by the
    * next run. */
   bool is_own = false;
@@ -96,7 +102,8 @@ struct Configuration {
 const std::vector<Configuration>&
 allConfigurations ();
 
-/** \param[in] list names and groups, as "ops,table4"; "all" selects every configuration
+/** Returns the configurations that a list names, each once.
+ * \param[in] list names and groups, as "ops,table4"; "all" selects every configuration
  * outside the group ablation, "none" selects no configuration
  * \throw apps::UsageError for an unknown name */
 std::vector<Configuration>
@@ -110,7 +117,9 @@ bool
 runInChild (const std::function<void()>& work, unsigned seconds);
 
 /** Runs a peer detector by \ref runInChild, any other one in this process without a
- * limit. \return nullopt if the time limit ended the run */
+ * limit.
+ * \param[in] seconds time limit of a peer, see \ref runInChild
+ * \return nullopt if the time limit ended the run */
 std::optional<DetectorRun>
 runLimited (const Configuration& configuration,
             const XyzCloud::ConstPtr& cloud,

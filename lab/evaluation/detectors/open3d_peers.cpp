@@ -13,9 +13,9 @@ Planes
 planesByOpen3d (const PeerTask& task)
 {
   constexpr int points_of_sample = 3;
-  constexpr int iterations = 1000;
+  constexpr int iterations = 1000; // as in planesByPclRansac
 #ifdef _OPENMP
-  omp_set_num_threads (1); // as the other peers
+  omp_set_num_threads (1); // other peers have one thread, too
 #endif
   open3d::utility::random::Seed (int (task.settings.seed));
   return peelPlanes (task, [&] (const pcl::IndicesPtr& rest) {

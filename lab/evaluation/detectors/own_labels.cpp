@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** Returns the first existing file among those that may have the labels of a cloud. */
+/** Returns the first file that exists of those that may have the labels of a cloud.
+ * \throw WorkError if none exists */
 std::string
 fileOfLabels (const std::string& folder, const RunSettings& settings)
 {
@@ -55,12 +56,12 @@ numbersIn (const std::string& file)
   return labelNumbersIn (loadCloud (file).points, file);
 }
 
-/** Returns labels from 1 on, in the order of the numbers in the file; 0: no plane.
+/** Returns labels from 1 on, by ascending number in the file; 0: no plane.
  * \throw WorkError if a number cannot be a label */
 PlaneLabels
 labelsOfNumbers (const std::vector<double>& numbers, const std::string& file)
 {
-  // The largest unsigned number is -1 stored in an unsigned type.
+  // The largest unsigned number would be a -1 that was stored in an unsigned type.
   constexpr double too_large = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!(std::abs (numbers[i]) < too_large && numbers[i] == std::floor (numbers[i])))
@@ -72,29 +73,31 @@ labelsOfNumbers (const std::vector<double>& numbers, const std::string& file)
               .str());
   const bool has_negative = std::any_of (
       numbers.begin(), numbers.end(), [] (double number) { return number < 0.0; });
-  const double lowest_plane = has_negative ? 0.0 : 1.0;
+  const double lowest_plane_number = has_negative ? 0.0 : 1.0;
   std::map<double, std::uint32_t> label_of_number;
   for (const double number : numbers)
-    if (number >= lowest_plane)
+    if (number >= lowest_plane_number)
       label_of_number[number] = 0;
   std::uint32_t count = 0;
   for (auto& [number, label] : label_of_number)
     label = ++count;
   PlaneLabels labels (numbers.size());
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (numbers[i] >= lowest_plane)
+    if (numbers[i] >= lowest_plane_number)
       labels[i] = label_of_number[numbers[i]];
   return labels;
 }
 
-/** Returns the labels of the finite points, also if there is one label per pixel of the
- * image.
- * \param[in] points number of finite points */
+/** Returns the labels of the finite points. A file has one for each of them or, if
+ * there is an image, one for each pixel.
+ * \param[in] points number of finite points
+ * \param[in] image nullptr: there is none
+ * \param[in] file for messages */
 PlaneLabels
-ofFinitePoints (PlaneLabels labels,
-                std::size_t points,
-                const XyzCloud::ConstPtr& image,
-                const std::string& file)
+labelsOfFinitePoints (PlaneLabels labels,
+                      std::size_t points,
+                      const XyzCloud::ConstPtr& image,
+                      const std::string& file)
 {
   if (labels.size() == points)
     return labels;
@@ -106,14 +109,15 @@ ofFinitePoints (PlaneLabels labels,
                        " finite points; give one for each, in the order of truth.pcd");
 }
 
+/** Returns a run with these labels and without times. */
 DetectorRun
 runOf (const PlaneLabels& labels)
 {
   DetectorRun run;
   run.labels = labels;
   run.planes_before_merging = planeIds (labels).size();
-  for (const auto& stage : detection_stages)
-    run.durations.*stage.second = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [name, duration] : detection_stages)
+    run.durations.*duration = std::numeric_limits<double>::quiet_NaN();
   return run;
 }
 
@@ -121,8 +125,9 @@ runOf (const PlaneLabels& labels)
 void
 checkName (const std::string& name)
 {
-  const auto isForbidden = [] (char c) {
-    return std::string (",/\\|\"").find (c) != std::string::npos || (c >= 0 && c < ' ');
+  const auto isForbidden = [] (char character) {
+    const bool is_control = character >= 0 && character < ' ';
+    return std::string (",/\\|\"").find (character) != std::string::npos || is_control;
   };
   if (name.empty() || std::any_of (name.begin(), name.end(), isForbidden))
     throw UsageError ("--results",
@@ -157,7 +162,7 @@ ownLabels (const std::string& name_and_folder)
   configuration.run = [folder] (const auto& cloud, const RunSettings& settings) {
     const std::string file = fileOfLabels (folder, settings);
     const PlaneLabels labels = labelsOfNumbers (numbersIn (file), file);
-    return runOf (ofFinitePoints (labels, cloud->size(), settings.image, file));
+    return runOf (labelsOfFinitePoints (labels, cloud->size(), settings.image, file));
   };
   return configuration;
 }

@@ -7,11 +7,12 @@
 namespace pcl_ops::evaluation {
 
 /** Makes a configuration that reads the labels of a user's own detector. For each cloud
- * a folder has DATA_SET/CLOUD.npy, .txt (one label per line) or .pcd (field label), or
- * else CLOUD.npy, .txt or .pcd; the extension of the cloud's name may be left out. A
- * file has one label per finite point or, for an image, per pixel. Label 0 is no plane;
- * if a file has negative labels, these are no plane and 0 is a plane. Durations are
- * NaN. The run throws apps::WorkError if the file is missing or not valid.
+ * it reads the first of these files that a folder has: DATA_SET/CLOUD.npy, .txt (one
+ * label per line) or .pcd (field label), then CLOUD.npy, .txt or .pcd. CLOUD is the
+ * name of the cloud, with or without its extension. A file has one label per finite
+ * point or, for an image, per pixel. Label 0 is no plane; if a file has negative
+ * labels, these are no plane and 0 is a plane. Durations are NaN. The run throws
+ * apps::WorkError if the file is missing or not valid.
  * \param[in] name_and_folder "NAME=FOLDER"
  * \throw apps::UsageError if the name is taken or not valid in a row,
  * apps::WorkError if the folder is no folder */

@@ -58,8 +58,8 @@ noiseOf (const XyzCloud::ConstPtr& cloud)
 double
 spacingOf (const XyzCloud::ConstPtr& cloud)
 {
-  constexpr int neighbors = 30;
-  constexpr std::size_t samples = 2000;
+  constexpr int neighbors = 30;         // the point itself is one of them
+  constexpr std::size_t samples = 2000; // points at most
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (cloud);
   std::vector<double> spacings;
@@ -68,19 +68,20 @@ spacingOf (const XyzCloud::ConstPtr& cloud)
   const std::size_t stride = cloud->size() / samples + 1;
   for (std::size_t i = 0; i < cloud->size(); i += stride) {
     tree.nearestKSearch ((*cloud)[i], neighbors, found, squared_distances);
-    // The area of the disk with the neighbors, per neighbor.
+    // The square root of the area of the disk with the neighbors, per neighbor.
     spacings.push_back (
         std::sqrt (M_PI * squared_distances.back() / double (found.size())));
   }
   return apps::quantile (spacings, 0.5);
 }
 
-/** Of the smallest plane, by default, for detectors that do not peel planes. */
+/** Default number of points of the smallest plane, for detectors without
+ * \ref peelPlanes. */
 constexpr std::size_t min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
 
-/** Transforms an image to the frame of its camera, as PCL's image detectors expect. */
+/** Returns an image in the frame of its camera, as PCL's image detectors expect. */
 XyzCloud::Ptr
 inCameraFrame (const XyzCloud& image)
 {
@@ -132,7 +133,7 @@ namespace {
 
 struct Peer {
   std::string name;
-  std::string version; // of its project
+  std::string version; // name and version of its project; empty: it is in this project
   Planes (*detect) (const PeerTask& task);
   bool needs_image = false;
 };
@@ -201,13 +202,13 @@ peelPlanes (const PeerTask& task,
 {
   constexpr std::size_t max_planes = 40;
   constexpr std::size_t default_min_inliers = 500;
-  constexpr double share_left = 0.02;
+  constexpr double rest_share_at_end = 0.02; // of the points of the cloud
   const std::size_t min_inliers = task.minPoints (default_min_inliers);
   const std::size_t points = task.cloud->size();
   Planes planes;
   pcl::IndicesPtr rest (new pcl::Indices (points));
   std::iota (rest->begin(), rest->end(), 0);
-  while (double (rest->size()) > share_left * double (points) &&
+  while (double (rest->size()) > rest_share_at_end * double (points) &&
          planes.size() < max_planes) {
     pcl::PointIndices plane;
     plane.indices = segment (rest);
@@ -271,44 +272,32 @@ planesByPclRegionGrowing (const PeerTask& task)
   return regions;
 }
 
-Planes
-planesInImage (const PeerTask& task)
+namespace {
+
+Normals::Ptr
+normalsOfImage (const XyzCloud::ConstPtr& image)
 {
   // The values of PCL's demo of OrganizedMultiPlaneSegmentation.
-  const double angle = pcl::deg2rad (2.0);
-  constexpr double demo_distance = 0.02;    // to a plane, at a depth of 1 m [m]
   constexpr float max_depth_change = 0.03f; // relative to the depth
   constexpr float smoothing = 20.0f;        // edge of the window [px]
-  const XyzCloud::Ptr image = inCameraFrame (*task.settings.image);
-  const Normals::Ptr normals (new Normals);
-  timed (task.time_of_normals, [&] {
-    pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-    estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
-    estimation.setMaxDepthChangeFactor (max_depth_change);
-    estimation.setNormalSmoothingSize (smoothing);
-    estimation.setInputCloud (image);
-    estimation.compute (*normals);
-  });
-  pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
-  finder.setMinInliers (unsigned (task.minPoints (min_points_of_region)));
-  finder.setAngularThreshold (angle);
-  finder.setDistanceThreshold (
-      task.source == ValuesFrom::Tutorial ? demo_distance : task.values.threshold);
-  finder.setInputNormals (normals);
-  finder.setInputCloud (image);
-  std::vector<pcl::PlanarRegion<pcl::PointXYZ>,
-              Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
-      regions;
-  std::vector<pcl::ModelCoefficients> models;
-  Planes planes;
-  Planes pixels_of_labels;
-  Planes borders;
-  pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
-  finder.segmentAndRefine (regions, models, planes, labels, pixels_of_labels, borders);
-  // The cloud of the task has the finite points of the image alone.
+  Normals::Ptr normals (new Normals);
+  pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
+  estimation.setMaxDepthChangeFactor (max_depth_change);
+  estimation.setNormalSmoothingSize (smoothing);
+  estimation.setInputCloud (image);
+  estimation.compute (*normals);
+  return normals;
+}
+
+/** Replaces indices of pixels by those of points: the cloud of a task has the finite
+ * points of the image alone. */
+void
+replacePixelsByPoints (const XyzCloud& image, Planes& planes)
+{
   pcl::Indices point_of_pixel;
   pcl::index_t points = 0;
-  for (const pcl::PointXYZ& point : *image) {
+  for (const pcl::PointXYZ& point : image) {
     point_of_pixel.push_back (points);
     if (pcl::isXYZFinite (point))
       ++points;
@@ -316,6 +305,37 @@ planesInImage (const PeerTask& task)
   for (pcl::PointIndices& plane : planes)
     for (pcl::index_t& i : plane.indices)
       i = point_of_pixel[i];
+}
+
+} // namespace
+
+Planes
+planesInImage (const PeerTask& task)
+{
+  // The values of PCL's demo of OrganizedMultiPlaneSegmentation.
+  const double max_angle = pcl::deg2rad (2.0); // between normals [rad]
+  constexpr double demo_distance = 0.02;       // to a plane, at a depth of 1 m [m]
+  const XyzCloud::Ptr image = inCameraFrame (*task.settings.image);
+  Normals::Ptr normals;
+  timed (task.time_of_normals, [&] { normals = normalsOfImage (image); });
+  pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
+  finder.setMinInliers (unsigned (task.minPoints (min_points_of_region)));
+  finder.setAngularThreshold (max_angle);
+  finder.setDistanceThreshold (
+      task.source == ValuesFrom::Tutorial ? demo_distance : task.values.threshold);
+  finder.setInputNormals (normals);
+  finder.setInputCloud (image);
+  Planes planes;
+  // The other results of segmentAndRefine are not used.
+  std::vector<pcl::PlanarRegion<pcl::PointXYZ>,
+              Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
+      regions;
+  std::vector<pcl::ModelCoefficients> models;
+  Planes pixels_of_labels;
+  Planes borders;
+  pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
+  finder.segmentAndRefine (regions, models, planes, labels, pixels_of_labels, borders);
+  replacePixelsByPoints (*image, planes);
   return planes;
 }
 

@@ -19,13 +19,14 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr int layers = 4; // of voxels; each has half the edge of the one before
+constexpr int layers = 4; // each has voxels of half the edge of the layer before
 constexpr std::size_t min_points_of_voxel = 5;
 constexpr std::size_t min_points_of_plane = 50;
 
 struct OctreeParameters {
   double edge = 1.0; // of the largest voxels [m]
-  /** Bound of the smallest eigenvalue of a plane's covariance [m^2]. */
+  /** A voxel is a plane if the smallest eigenvalue of the covariance of its points,
+   * which is their mean squared distance to it, is below this bound [m^2]. */
   double max_eigenvalue = 0.01;
 };
 
@@ -35,9 +36,9 @@ parametersFor (const PeerTask& task)
   OctreeParameters parameters;
   if (task.source == ValuesFrom::Tutorial)
     return parameters;
-  // Edges of 0.5 to 3 m as in the paper. Within these limits the smallest voxels are as
-  // wide as the gap, at least four times the point spacing, so that a plane has 16
-  // points in them. Its rms distance may be up to twice the noise.
+  // Edges of 0.5 to 3 m as in the paper. Within these limits the edge of the smallest
+  // voxels is the gap, which is at least four times the point spacing, so that a plane
+  // has about 16 points in such a voxel. Its rms distance may be up to twice the noise.
   constexpr double smallest_edge = 0.5;
   constexpr double largest_edge = 3.0;
   parameters.edge = std::clamp (
@@ -53,22 +54,27 @@ struct VoxelOctree {
   std::vector<Moments> moments = {};
   std::vector<pcl::Indices> points = {};
 
-  /** Adds the planes in a voxel and its parts.
+  /** Adds a voxel if it is a plane, else those of its parts, in all further layers,
+   * that are planes.
    * \param[in] members indices of the points in the voxel
    * \param[in] layer 0 for the largest voxels */
   void
-  add (const pcl::Indices& members, const Vector3d& center, double edge, int layer)
+  addPlanesIn (const pcl::Indices& members,
+               const Vector3d& center,
+               double edge,
+               int layer)
   {
     if (members.size() < min_points_of_voxel)
       return;
     Moments sums;
     sums.origin = center;
-    std::array<pcl::Indices, 8> octants;
+    std::array<pcl::Indices, 8>
+        octants; // bit i of the index: above the center on axis i
     for (const pcl::index_t i : members) {
       const Vector3d point = cloud[i].getVector3fMap().cast<double>();
       addTo (sums, point);
-      const auto side = (point - center).array() > 0.0;
-      octants[side[0] + 2 * side[1] + 4 * side[2]].push_back (i);
+      const Eigen::Array<bool, 3, 1> is_above = (point - center).array() > 0.0;
+      octants[is_above[0] + 2 * is_above[1] + 4 * is_above[2]].push_back (i);
     }
     const std::optional<PlaneFit> fit = fitPlane (sums);
     if (fit && fit->variances[0] < max_eigenvalue) {
@@ -77,9 +83,9 @@ struct VoxelOctree {
       return;
     }
     for (int octant = 0; layer + 1 < layers && octant < 8; ++octant) {
-      const Eigen::Array3d side (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
-      const Vector3d offset = 0.5 * edge * (side - 0.5);
-      add (octants[octant], center + offset, 0.5 * edge, layer + 1);
+      const Eigen::Array3d bits (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
+      const Vector3d offset = 0.5 * edge * (bits - 0.5);
+      addPlanesIn (octants[octant], center + offset, 0.5 * edge, layer + 1);
     }
   }
 };
@@ -101,7 +107,7 @@ planesInVoxelOctree (const PeerTask& task)
   VoxelOctree octree{*task.cloud, parameters.max_eigenvalue};
   for (const auto& [voxel, points] : voxels) {
     const Eigen::Array3d corner (voxel[0], voxel[1], voxel[2]);
-    octree.add (points, edge * (corner + 0.5), edge, 0);
+    octree.addPlanesIn (points, edge * (corner + 0.5), edge, 0);
   }
   MergingParameters merging;
   merging.distance_threshold = task.values.threshold;

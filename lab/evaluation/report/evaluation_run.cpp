@@ -32,13 +32,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** What a user can do if the memory is too small. */
+/** What a user can do if the memory is too small for a cloud. */
 constexpr const char* memory_advice = "give a smaller cloud or fewer --jobs";
 
-/** Shares of a cloud's points that are on found planes and on thick ones. A plane is
- * thick by factor if its Thickness::factor is above \ref thick_factor, and thick by
+/** How many points of a cloud are on found planes, and on thick ones of these. A plane
+ * is thick by factor if its Thickness::factor is above \ref thick_factor, and thick by
  * length if the rms distance of its points is above thick_length. */
 struct ThicknessSummary {
+  // Shares of the cloud's points.
   double on_planes = 0.0;
   double on_thick_by_factor = 0.0;
   double on_thick_by_length = 0.0;
@@ -81,7 +82,7 @@ addMetrics (const Metrics& metrics, RowNumbers& row)
     row[name] = count;
 }
 
-/** Adds durations and the number of planes before merging. */
+/** Adds the durations of a run and its number of planes before merging. */
 void
 addRun (const DetectorRun& run, RowNumbers& row)
 {
@@ -125,7 +126,8 @@ shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
   return cloud;
 }
 
-/** Returns at most a number of points of a cloud, drawn at random, with their truth. */
+/** Returns some points of a cloud, drawn at random, with their truth.
+ * \param[in] most_points number of points; a smaller cloud, and nullopt: all points */
 EvaluationCloud
 sampled (EvaluationCloud cloud, std::optional<std::size_t> most_points)
 {
@@ -150,7 +152,7 @@ sampled (EvaluationCloud cloud, std::optional<std::size_t> most_points)
 struct LoadedCloud {
   const CloudSource& source;
   EvaluationCloud loaded = {};
-  PlaneLabels truth = {};
+  PlaneLabels truth = {}; // truthOf (loaded)
 };
 
 /** A run over all clouds of a plan; its functions may run on several clouds at once. */
@@ -161,6 +163,7 @@ struct Evaluation {
   EvaluationSummary summary = {};
   std::mutex summary_mutex = {};
 
+  /** Adds 1 to a number of the summary, and prints a message if one is given. */
   void
   count (std::size_t EvaluationSummary::*number, const std::string& message = "")
   {
@@ -185,7 +188,7 @@ struct Evaluation {
     return cloud.grows_truth ? nameOfGrownTruth() : "none";
   }
 
-  /** Returns the first cells of a row. */
+  /** Returns the first cells of a row, which no other row has. */
   std::string
   keyOf (const CloudSource& source,
          const std::string& truth,
@@ -259,6 +262,8 @@ struct Evaluation {
     count (&EvaluationSummary::clouds);
   }
 
+  /** Writes a labeled cloud to EvaluationPlan::labels_folder, if one is given.
+   * \param[in] name of the file, without its extension */
   void
   saveLabels (const LoadedCloud& cloud,
               const std::string& name,
@@ -276,6 +281,8 @@ struct Evaluation {
     saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
   }
 
+  /** Returns the numbers of a row: counts, durations, metrics if there is a truth, and
+   * thickness. */
   RowNumbers
   numbersOf (const LoadedCloud& cloud, const DetectorRun& run) const
   {
@@ -314,8 +321,8 @@ struct Evaluation {
     }
   }
 
-  /** Returns the numbers of a row. A stopped run has only its time, so that it is not
-   * tried again. */
+  /** Runs a detector and returns the numbers of its row. A stopped run has only its
+   * time; as it has a row, it is not tried again. */
   RowNumbers
   runDetector (const LoadedCloud& cloud, const Configuration& configuration)
   {
@@ -334,7 +341,7 @@ struct Evaluation {
     }
     saveLabels (cloud, configuration.name, run->labels);
     RowNumbers row = numbersOf (cloud, *run);
-    if (plan.has_changes && !configuration.is_own && !configuration.needs_image)
+    if (plan.runs_on_changes && !configuration.is_own && !configuration.needs_image)
       addAgreements (cloud, configuration, settings, run->labels, row);
     return row;
   }

@@ -9,8 +9,9 @@
 
 namespace pcl_ops::evaluation {
 
+/** What a run of \ref evaluate does. */
 struct EvaluationPlan {
-  std::string file; // CSV file of the rows
+  std::string file; // results.csv, which gets a row for each cloud and configuration
   std::vector<CloudSource> clouds;
   std::vector<Configuration> configurations;
   TruthParameters truth;
@@ -27,17 +28,22 @@ struct EvaluationPlan {
   /** A larger cloud is sampled at random to this number of points and loses its image.
    * nullopt: clouds keep all points. */
   std::optional<std::size_t> most_points = std::nullopt;
-  /** Also runs detectors on \ref cloud_changes of each cloud, except those that need an
-   * image and \ref ownLabels, and writes how far the labels agree. */
-  bool has_changes = false;
+  /** Whether detectors also run on changed copies of each cloud (\ref cloud_changes),
+   * and rows say how far the labels agree. Left out are detectors that need an image,
+   * and \ref ownLabels. */
+  bool runs_on_changes = false;
 };
 
-/** Numbers of a run. \ref clouds includes those whose rows were all in the file before,
- * but not the broken ones, which could not be loaded. The row of a stopped run has the
- * time limit as detection_ms, and no metrics. */
+/** Counts over a call of \ref evaluate. */
 struct EvaluationSummary {
-  std::size_t clouds = 0, new_rows = 0;
-  std::size_t broken_clouds = 0, failed_runs = 0, stopped_runs = 0;
+  /** Clouds that could be loaded, and those whose rows were all in the file before. */
+  std::size_t clouds = 0;
+  std::size_t new_rows = 0;
+  std::size_t broken_clouds = 0; // clouds that could not be loaded
+  std::size_t failed_runs = 0;   // runs of a detector that threw an exception; no row
+  /** Runs that the time limit ended. The row has the limit as detection_ms, and no
+   * metrics. */
+  std::size_t stopped_runs = 0;
 };
 
 /** Runs each configuration on each cloud, unless the CSV file has the row already.

@@ -21,8 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** The columns of true planes by size: their number, and those found at an intersection
- * over union of 0.5 and of 0.75. */
+/** Returns the columns of size classes: the number of true planes in each class, and
+ * the numbers of those that were found at an intersection over union of 0.5 and of
+ * 0.75. */
 std::vector<std::string>
 columnsOfSizeClasses ()
 {
@@ -44,7 +45,7 @@ columnsOfSizeClasses ()
   return columns;
 }
 
-/** The columns of numbers in results.csv, in order. */
+/** Returns the columns of numbers in results.csv, in their order. */
 std::vector<std::string>
 columnsOfNumbers ()
 {
@@ -119,7 +120,7 @@ ResultsFile::ResultsFile (const std::string& file) : file_ (file)
 {
   std::ifstream before (file, std::ios::binary);
   const std::string text (std::istreambuf_iterator<char> (before), {});
-  // Size of all complete lines: npos + 1 is 0, if there is none [byte].
+  // Size of all complete lines [byte]; 0 if there is none, as npos + 1 is 0.
   const std::size_t complete_size = text.rfind ('\n') + 1;
   if (complete_size < text.size())
     fs::resize_file (file, complete_size);
@@ -141,6 +142,7 @@ bool
 ResultsFile::has (const std::string& first_cells) const
 {
   const std::lock_guard<std::mutex> lock (mutex_);
+  // The set is sorted: a line that begins with the cells is not less than they are.
   const auto line = lines_.lower_bound (first_cells);
   return line != lines_.end() && line->rfind (first_cells, 0) == 0;
 }
@@ -148,9 +150,9 @@ ResultsFile::has (const std::string& first_cells) const
 void
 ResultsFile::add (const std::string& first_cells, const RowNumbers& numbers)
 {
-  constexpr int digits = 7;
+  constexpr int significant_digits = 7;
   std::ostringstream line;
-  line.precision (digits);
+  line.precision (significant_digits);
   line << first_cells;
   const char* separator = "";
   for (const std::string& column : columnsOfNumbers()) {

@@ -12,7 +12,8 @@
 
 namespace pcl_ops::evaluation {
 
-/** The numbers of a row of results.csv by column; a number that is missing is NaN. */
+/** The numbers of a row of results.csv by column. A column that is missing here is NaN
+ * in the file. */
 using RowNumbers = std::map<std::string, double>;
 
 /** Returns the name of the column of the agreement under a change. */
@@ -32,11 +33,13 @@ public:
    * \throw apps::WorkError if the file has other columns or cannot be written */
   explicit ResultsFile (const std::string& file);
 
-  /** \return whether there is a row that begins with these cells */
+  /** \param[in] first_cells as those of \ref add
+   * \return whether there is a row that begins with these cells */
   bool
   has (const std::string& first_cells) const;
 
-  /** \param[in] first_cells data set, cloud, truth, configuration and seed, each as
+  /** Writes a row.
+   * \param[in] first_cells data set, cloud, truth, configuration and seed, each as
    * \ref csvCell
    * \throw apps::OutputError if there is no room; the file is then as before */
   void

@@ -100,7 +100,7 @@ TEST_F (EvaluationRunTest, EveryColumnHasANumberWhereTheTruthIsKnown)
   };
   plan.clouds = {{"squares", "a", squareOfPoints}};
   plan.configurations = {labeling ("all-right", 400, calls)};
-  plan.has_changes = true;
+  plan.runs_on_changes = true;
   run();
   EXPECT_FALSE (contains (contentOf (file), "nan")) << contentOf (file);
 }
@@ -126,7 +126,7 @@ TEST_F (EvaluationRunTest, ChangedCloudsAgreeAsFarAsTheirLabels)
       << "not asked for";
   EXPECT_EQ (calls, 1);
   plan.configurations.push_back (labeling ("half-right", 5, calls));
-  plan.has_changes = true;
+  plan.runs_on_changes = true;
   run();
   EXPECT_EQ (calls, 1 + 1 + int (cloud_changes.size()));
   EXPECT_TRUE (std::regex_search (contentOf (file),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks and converts arguments, and shows the named ones that the extension has."""
+"""Checks and converts arguments; shows the named parameters of the extension in signatures."""
 
 import difflib
 import inspect
@@ -20,7 +20,7 @@ Up = Union[Vector, Literal["camera"]]
 
 def parameters_of(struct: Any) -> Dict[str, Tuple[Any, str]]:
     """Value and annotation of each parameter, by its name."""
-    return struct.values_and_kinds()
+    return struct.values_and_annotations()
 
 
 def camera_up() -> Tuple[float, float, float]:
@@ -40,41 +40,45 @@ def _is_flag(value: Any) -> bool:
     return isinstance(value, (bool, np.bool_))
 
 
-def flag(name: str, given: Any) -> bool:
+def checked_flag(name: str, given: Any) -> bool:
+    """The given value as a bool; raises TypeError if it is none."""
     if not _is_flag(given):
         raise TypeError(f"{name}: has to be True or False, not {given!r:.80}")
     return bool(given)
 
 
 def checked_number(
-    name: str, given: Any, is_allowed: Callable[[Any], bool], wanted: str, kind: type = float
+    name: str, given: Any, is_allowed: Callable[[Any], bool], wanted: str,
+    number_type: type = float
 ) -> Any:
     """A finite number of Python or NumPy as a float, or a whole one as an int.
 
-    is_allowed: whether a number is in its range.
+    name: of the argument, for messages, here and in the other functions.
+    is_allowed: whether a number is in the range of the argument.
     wanted: what to give, for messages.
-    kind: float or int.
+    number_type: float or int.
     """
     value = given.item() if isinstance(given, np.generic) else given
-    base, largest = ((numbers.Integral, sys.maxsize) if kind is int
-                     else (numbers.Real, sys.float_info.max))
-    is_number = isinstance(value, base) and not _is_flag(value)
+    allowed_class, largest = ((numbers.Integral, sys.maxsize) if number_type is int
+                              else (numbers.Real, sys.float_info.max))
+    is_number = isinstance(value, allowed_class) and not _is_flag(value)
     if not (is_number and abs(value) <= largest and is_allowed(value)):
         raise (ValueError if is_number else TypeError)(
             f"{name}: has to be {wanted}, not {value!r:.80}")
-    return kind(value)
+    return number_type(value)
 
 
-def _set(struct: Any, name: str, kind: str, value: Any) -> None:
-    """Sets one parameter of a struct; kind is its annotation."""
+def _set(struct: Any, name: str, annotation: str, value: Any) -> None:
+    """Sets one parameter of a struct; raises ValueError or TypeError for a wrong value."""
     try:
-        if (kind == "bool") != _is_flag(value):
+        if (annotation == "bool") != _is_flag(value):
             raise RuntimeError  # every value would convert to bool, and bool to numbers
         struct.set(name, _vector_of(value) if name == "up" else value)
     except RuntimeError:
-        is_word = "Literal" in kind and isinstance(value, str)
-        is_number = "int" in kind and hasattr(value, "__index__") and not (is_word or _is_flag(value))
-        wanted = kind.replace("Vector", "three numbers (x, y, z)")
+        is_word = "Literal" in annotation and isinstance(value, str)
+        is_number = ("int" in annotation and hasattr(value, "__index__")
+                     and not (is_word or _is_flag(value)))
+        wanted = annotation.replace("Vector", "three numbers (x, y, z)")
         if name == "up":
             wanted += ", 'camera' or, for segment, 'auto'"
         raise (ValueError if is_word or is_number else TypeError)(
@@ -83,54 +87,56 @@ def _set(struct: Any, name: str, kind: str, value: Any) -> None:
 
 
 def did_you_mean(name: Any, known: Iterable[str]) -> str:
-    """What to add to the message on an unknown name; empty if no known name is like it."""
+    """What to add to the message about an unknown name; empty if no known name is similar."""
     similar_names = difflib.get_close_matches(str(name), list(known), 1)
     return f"; did you mean {similar_names[0]}?" if similar_names else ""
 
 
 def with_given(preset: Any, given: Dict[str, Any]) -> Any:
-    """A copy of the extension's struct with the parameters set that the user gives."""
+    """A copy of the preset, a struct of the extension, with the parameters that the user gives."""
 
-    def copy_with(some):
+    def copy_with(some_of_given):
         struct = type(preset)(preset)
         known = parameters_of(struct)
-        for name, value in some.items():
+        for name, value in some_of_given.items():
             if name not in known:
                 hint = did_you_mean(name, known) or f"; there are {', '.join(known)}"
                 raise ValueError(f"{name}: unknown parameter{hint}")
-            _, kind = known[name]
-            _set(struct, name, kind, value)
+            _, annotation = known[name]
+            _set(struct, name, annotation, value)
         return struct
 
     struct = copy_with(given)
     problem = struct.problem()
     if problem:
+        # The first parameter that causes the problem by itself, if there is one.
         at_fault = [name for name in given
                     if copy_with({name: given[name]}).problem() == problem]
         raise ValueError(": ".join([*at_fault[:1], problem]))
     return struct
 
 
-def named_parameters(*lists: str, **kinds: str) -> Callable[[Any], Any]:
-    """Shows in help, completion and stubs what **parameters may be, besides those the function names.
+def named_parameters(*structs: str, **annotations: str) -> Callable[[Any], Any]:
+    """A decorator: help, completion and stubs show which **parameters a function takes.
 
-    lists: names of the extension's structs of parameters, all of which the function takes.
-    kinds: annotations of parameters that may also have values of another type.
+    structs: names of the extension's structs, whose parameters the function takes.
+    annotations: by the name of a parameter, in place of that of the extension: for parameters
+        that may also have values of another type.
     """
 
     def with_names(function):
         signature = inspect.signature(function)
         shown = {name: parameter for name, parameter in signature.parameters.items()
                  if name != "parameters"}
-        for struct in lists:
-            for name, (value, kind) in parameters_of(getattr(_pcl_ops, struct)()).items():
+        for struct in structs:
+            for name, (value, annotation) in parameters_of(getattr(_pcl_ops, struct)()).items():
                 if name in signature.parameters:
                     continue
-                # Of several structs, each may have another default for a parameter.
-                default = value if len(lists) == 1 else ...
+                # Several structs may have different defaults for one parameter.
+                default = value if len(structs) == 1 else ...
                 shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY,
                                                 default=default,
-                                                annotation=kinds.get(name, kind))
+                                                annotation=annotations.get(name, annotation))
         function.__signature__ = signature.replace(parameters=list(shown.values()))
         return function
 
@@ -138,28 +144,36 @@ def named_parameters(*lists: str, **kinds: str) -> Callable[[Any], Any]:
 
 
 def plain_array(name: str, numbers: Any, instead: str) -> NDArray[Any]:
-    """An array without a mask; instead: what users may fill masked entries with."""
+    """The numbers as an array; raises TypeError for a masked one.
+
+    instead: what users may fill masked entries with, for the message.
+    """
     if isinstance(numbers, np.ma.MaskedArray):
         raise TypeError(f"{name}: a masked array; use {name}.filled({instead})")
     return np.asarray(numbers)
 
 
 def _rows_of_three(array: NDArray[Any]) -> NDArray[Any]:
-    """x, y, z of rows or an image of points, which may have a fourth number, as an intensity."""
+    """The points as rows x, y, z, in shape (N, 3).
+
+    array: rows or an image of points, which may have a fourth number, such as an intensity.
+    """
     if array.ndim not in (2, 3) or array.shape[-1] not in (3, 4):
-        instead = ""
+        fix = ""
         if array.ndim == 2 and array.shape[0] == 3:
-            instead = "; give points.T"
+            fix = "; give points.T"
         elif array.ndim in (2, 3) and array.shape[-1] > 4:
-            instead = "; give points[..., :3] if the first three are x, y and z"
+            fix = "; give points[..., :3] if the first three are x, y and z"
         raise ValueError(f"points: shape {array.shape} is none of (N, 3), (N, 4), (H, W, 3) and "
-                         f"(H, W, 4){instead}")
+                         f"(H, W, 4){fix}")
     rows = array if array.ndim == 2 else array.reshape(-1, array.shape[-1])
     return rows if rows.shape[1] == 3 else rows[:, :3]
 
 
 def points_array(points: Any) -> NDArray[Any]:
-    """The points as aligned rows in the machine's byte order; the same array if it is so already.
+    """The points as rows x, y, z, aligned and in the machine's byte order.
+
+    It is a view of the given array if that is aligned and in this byte order already.
     """
     if not isinstance(points, np.ndarray) and hasattr(points, "points"):
         raise TypeError(f"points: a {type(points).__name__} is no array; give its .points, as "
@@ -176,7 +190,7 @@ def points_array(points: Any) -> NDArray[Any]:
 
 
 def is_same_array(one: NDArray[Any], other: NDArray[Any]) -> bool:
-    """Whether both are the same rows in memory, as those of an image that was given twice."""
+    """Whether both are the same numbers in memory, as two views of one image are."""
     return one is other or one.__array_interface__ == other.__array_interface__
 
 
@@ -193,22 +207,26 @@ def _hashes(points: NDArray[np.float64]) -> NDArray[np.uint64]:
 
 
 def _origin_near_most(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The rounded median of a sample of distinct places, as the programs have it.
+    """The rounded median of a sample of distinct places, as in the programs.
 
     Hashes choose the sample, so that the result is the same for any order of the points. Neither
-    one outlier nor many equal points decide about it.
+    single outliers nor many equal points change it much. Zero if no point is finite.
     """
     sample_size = 8192
-    step_in_deviations = 16.0  # lower bound of the rounding step, a power of two
-    largest_hash = 2**32 - 1  # of the lower half of the bits
+    # The median is rounded to multiples of a power of two, at least this many deviations.
+    step_in_deviations = 16.0
+    largest_lower_half = 2**32 - 1  # of the 64 bits of a hash
     hashes = _hashes(points)
-    last_taken = largest_hash // (len(points) // sample_size + 1)
+    # Points are taken up to this value of the lower half.
+    last_taken = largest_lower_half // (len(points) // sample_size + 1)
     is_finite = np.isfinite(points).all(axis=1)
-    taken = np.flatnonzero(is_finite & ((hashes & np.uint64(largest_hash)) <= last_taken))
+    lower_halves = hashes & np.uint64(largest_lower_half)
+    taken = np.flatnonzero(is_finite & (lower_halves <= last_taken))
     if not len(taken):
         taken = np.flatnonzero(is_finite)
     if not len(taken):
         return np.zeros(3)
+    # Equal points have equal hashes.
     _, first_of_place = np.unique(hashes[taken], return_index=True)
     places = points[taken[first_of_place]]
     middle = (len(places) - 1) // 2
@@ -245,7 +263,10 @@ def single_precision(points: NDArray[Any]) -> Tuple[NDArray[np.float32], NDArray
 def finite_vector(
     name: str, given: Any, wanted: str = "three numbers (x, y, z)", size: int = 3
 ) -> NDArray[np.float64]:
-    """An array of this size; wanted: what to give, for messages."""
+    """The given numbers as an array of this size.
+
+    wanted: what to give, for messages.
+    """
     try:
         array = np.asarray(given, float).reshape(size)
     except (TypeError, ValueError):
@@ -256,17 +277,17 @@ def finite_vector(
 
 
 def up_direction(given: Any) -> NDArray[np.float64]:
-    """The unit vector along an up, which is a vector of any length but 0 or the word "camera"."""
+    """The unit vector of an up argument: a vector of any length but 0, or the word "camera"."""
     array = finite_vector("up", _vector_of(given), "three numbers (x, y, z) or 'camera'")
-    longest = np.abs(array).max()
-    if not longest >= np.finfo(float).tiny:
+    largest = np.abs(array).max()
+    if not largest >= np.finfo(float).tiny:
         raise ValueError("up: has no direction")
-    array = array / longest  # squares of huge numbers are infinite
+    array = array / largest  # squares of huge numbers are infinite
     return array / np.linalg.norm(array)
 
 
 def pose_matrix(pose: Any) -> NDArray[np.float64]:
-    """The matrix of a rigid motion; None is the identity."""
+    """The (4, 4) matrix of a rigid motion; the identity for None."""
     array = np.eye(4) if pose is None else np.asarray(pose)
     if array.dtype.kind in "fiu" and array.shape == (4, 4) and np.isfinite(array).all():
         array = array.astype(float)
@@ -280,32 +301,33 @@ def pose_matrix(pose: Any) -> NDArray[np.float64]:
 
 
 def array_of(
-    name: str, given: Any, kinds: str, instead: str, shape: Tuple[int, ...], things: str
+    name: str, given: Any, type_codes: str, instead: str, shape: Tuple[int, ...], things: str
 ) -> NDArray[Any]:
     """An array without a mask, of one number for each thing.
 
-    kinds: the codes that the type may have, "iu" or "f".
-    instead: what users may fill masked entries with.
+    type_codes: NumPy's codes that the type may have, "iu" for integers or "f" for floats.
+    instead: what users may fill masked entries with, for the message.
+    things: what there are numbers for, in the plural, for the message.
     """
     array = plain_array(name, given, instead)
-    if array.dtype.kind not in kinds:
-        of = "floating point" if kinds == "f" else "whole"
-        raise TypeError(f"{name}: dtype {array.dtype} is not one of {of} numbers")
+    if array.dtype.kind not in type_codes:
+        wanted = "floating point" if type_codes == "f" else "whole"
+        raise TypeError(f"{name}: dtype {array.dtype} is not one of {wanted} numbers")
     if array.shape != shape:
         raise ValueError(f"{name}: shape {array.shape} is not {shape}, that of the {things}")
     return array
 
 
 def plane_numbers(
-    name: str, labels: Any, of_points: Tuple[int, ...], none: int
+    name: str, labels: Any, shape: Tuple[int, ...], none: int
 ) -> NDArray[np.uint32]:
-    """Labels as the extension has them: planes from 1, 0 for none.
+    """Labels as the extension has them: each label plus 1, and 0 for no plane.
 
-    of_points: the shape of the array of the points without its last dimension.
+    shape: of the array of the points, without its last dimension.
     none: the label that stands for no plane, besides negative ones.
     """
-    array = array_of(name, labels, "iu", "-1", of_points, "points").ravel()
-    # Planes are counted from 1 below, and their numbers have to stay below 2^32 - 1.
+    array = array_of(name, labels, "iu", "-1", shape, "points").ravel()
+    # A label plus 1 has to be below 2^32 - 1.
     if array.max() > 2**32 - 3:
         raise ValueError(f"{name}: the label {array.max()} is too large")
     array = array.astype(np.int64)

@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Points, array_of, checked_number, finite_vector, flag, plane_numbers, points_array
+from ._arguments import Points, array_of, checked_flag, checked_number, finite_vector, plane_numbers, points_array
 from ._planes import ResultWarning
 
-# NumPy's types by the datatypes of sensor_msgs/PointField; the last two, 64-bit integers, are
-# PCL's alone.
-_TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8",
-          10: "u8"}
-_NUMBERS_OF_TYPES = {name: number for number, name in _TYPES.items()}
+# Names of NumPy's types by the datatypes of sensor_msgs/PointField; the last two, 64-bit
+# integers, are PCL's alone.
+_TYPE_NAMES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8",
+               10: "u8"}
+_DATATYPES = {name: datatype for datatype, name in _TYPE_NAMES.items()}
 
 
 class Cloud(NamedTuple):
@@ -43,11 +43,12 @@ class Cloud(NamedTuple):
     def labels(self) -> Optional[Union[NDArray[np.int32], NDArray[np.int64]]]:
         """(N,): the labels of the field label, in which files have 0 for no plane, as segment has
         them: -1 for no plane; int64 if one is above 2^31 - 1. None if there is no such field."""
-        label = self.fields.get("label")
-        if label is None:
+        field = self.fields.get("label")
+        if field is None:
             return None
-        wide = np.maximum(label.astype(np.int64) - 1, -1)
-        return wide if wide.max(initial=-1) > np.iinfo(np.int32).max else wide.astype(np.int32)
+        labels = np.maximum(field.astype(np.int64) - 1, -1)
+        needs_int64 = labels.max(initial=-1) > np.iinfo(np.int32).max
+        return labels if needs_int64 else labels.astype(np.int32)
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
@@ -72,6 +73,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
 
 
 def _warn_of_unit(unit: Optional[str]) -> None:
+    """Warns of coordinates in feet or degrees; the warning names the line that called read."""
     if unit is None:
         return
     context = _pcl_ops.ResultContext()
@@ -105,32 +107,37 @@ def write(
     from . import _files
 
     cloud = _checked_cloud(cloud)
-    keeps_color = flag("keep_color", keep_color)
+    keeps_color = checked_flag("keep_color", keep_color)
     file_labels = _labels_of_file(labels, cloud)
     file_distances = _distances_of_file(distances, cloud)
     if len(file_distances) and not len(file_labels):
         raise ValueError("distances: are those to planes; give labels, too")
-    name = os.fsencode(path)
+    file = os.fsencode(path)
     if _is_las(path):
         if cloud.source is None:
             raise ValueError(f"{os.fsdecode(path)}: is LAS, which the cloud was not read from; "
                              "give a .pcd or .ply")
         if not len(file_labels):
             raise ValueError("labels: are what is added to a .las; give them")
-        _files.save_las(name, os.fsencode(cloud.source), cloud.points, file_labels, file_distances)
+        _files.save_las(file, os.fsencode(cloud.source), cloud.points, file_labels, file_distances)
         return
     if os.path.splitext(os.fsdecode(path))[1].lower() not in (".pcd", ".ply"):
         raise ValueError(f"{os.fsdecode(path)}: has an unknown extension; give .pcd, .ply, or "
                          ".las of a cloud that was read from one")
     rows = _rows_of_file(cloud)
-    fields = [(field, _NUMBERS_OF_TYPES[kind.base.str[1:]], int(np.prod(kind.shape, dtype=int)))
-              for field, (kind, _) in rows.dtype.fields.items()]
-    _files.save(name, fields, rows.view(np.uint8).ravel(), cloud.height, cloud.viewpoint,
+    fields = [_file_field(name, rows.dtype[name]) for name in rows.dtype.names]
+    _files.save(file, fields, rows.view(np.uint8).ravel(), cloud.height, cloud.viewpoint,
                 cloud.orientation, file_labels, file_distances, keeps_color)
 
 
+def _file_field(name: str, field_type: Any) -> Tuple[str, int, int]:
+    """Name, datatype and count of a field, as the extension writes it."""
+    count = int(np.prod(field_type.shape, dtype=int))
+    return name, _DATATYPES[field_type.base.str[1:]], count
+
+
 def _checked_cloud(given: Any) -> Cloud:
-    """A Cloud or an array of points as a Cloud that can be written."""
+    """A Cloud that can be written, from a Cloud or an array of points; raises if it cannot be."""
     if not isinstance(given, Cloud):
         height = np.shape(given)[0] if np.ndim(given) == 3 else 1
         return Cloud(points_array(given), np.zeros(3), {}, height)
@@ -146,7 +153,7 @@ def _checked_cloud(given: Any) -> Cloud:
             raise ValueError(f"cloud: the field {name!r} has a name that files cannot have")
         if not isinstance(field, np.ndarray):
             raise TypeError(f"cloud: the field {name} is a {type(field).__name__}; give an array of NumPy")
-        if field.dtype.base.str[1:] not in _NUMBERS_OF_TYPES or field.shape[:1] != (count,):
+        if field.dtype.base.str[1:] not in _DATATYPES or field.shape[:1] != (count,):
             rows = len(field) if field.ndim else 1
             raise ValueError(f"cloud: the field {name} has {rows} of {field.dtype} for "
                              f"{count} points")
@@ -154,15 +161,20 @@ def _checked_cloud(given: Any) -> Cloud:
 
 
 def _is_las(path: Any) -> bool:
+    """Whether a path is that of a .las or .laz."""
     return os.fsdecode(path).lower().endswith((".las", ".laz"))
 
 
 def _shape_for(numbers: Any, cloud: Cloud) -> Tuple[int, ...]:
-    """The shape that numbers of all points have to have: that of the image, or of a row."""
+    """The shape that one number for each point has to have: that of the image, or (N,).
+
+    numbers: those that the user gives, whose shape decides between both.
+    """
     count = len(cloud.points)
-    image = cloud.height, count // cloud.height
-    is_image = np.shape(numbers) == image or (cloud.height > 1 and np.ndim(numbers) > 1)
-    return image if is_image else (count,)
+    image_shape = cloud.height, count // cloud.height
+    is_image = (np.shape(numbers) == image_shape
+                or (cloud.height > 1 and np.ndim(numbers) > 1))
+    return image_shape if is_image else (count,)
 
 
 def _labels_of_file(labels: Any, cloud: Cloud) -> NDArray[np.uint32]:
@@ -173,6 +185,7 @@ def _labels_of_file(labels: Any, cloud: Cloud) -> NDArray[np.uint32]:
 
 
 def _distances_of_file(distances: Any, cloud: Cloud) -> NDArray[np.float32]:
+    """Distances as files have them, in one row; an empty array for None."""
     if distances is None:
         return np.empty(0, np.float32)
     shape = _shape_for(distances, cloud)
@@ -180,17 +193,16 @@ def _distances_of_file(distances: Any, cloud: Cloud) -> NDArray[np.float32]:
 
 
 def _rows_of_file(cloud: Cloud) -> NDArray[Any]:
-    """All fields as a structured array; x, y and z are those of the points."""
+    """All fields as a structured array, a row for each point; x, y and z are those of points."""
     columns = {axis: cloud.points[:, i] for i, axis in enumerate("xyz")}
     for name, field in cloud.fields.items():
-        if name not in columns:
+        # Fields x, y and z that equal the coordinates of points keep the type of the field.
+        if name not in columns or np.array_equal(field, columns[name], equal_nan=True):
             columns[name] = field
-        elif np.array_equal(field, columns[name], equal_nan=True):
-            columns[name] = field  # equal coordinates keep the type of the field
     names = [*cloud.fields, *(axis for axis in "xyz" if axis not in cloud.fields)]
-    kinds = [(name, columns[name].dtype.newbyteorder("<"), columns[name].shape[1:])
-             for name in names]
-    rows = np.empty(len(cloud.points), kinds)
+    column_types = [(name, columns[name].dtype.newbyteorder("<"), columns[name].shape[1:])
+                    for name in names]
+    rows = np.empty(len(cloud.points), column_types)
     for name in names:
         rows[name] = columns[name]
     return rows
@@ -207,7 +219,7 @@ def from_message(msg: Any) -> Cloud:
     other.
     """
     try:
-        rows = _rows(msg)
+        rows = _rows_of_message(msg)
     except AttributeError as error:
         raise TypeError(f"msg: is no PointCloud2: {error}") from None
     missing = [axis for axis in "xyz" if axis not in rows.dtype.names]
@@ -217,21 +229,21 @@ def from_message(msg: Any) -> Cloud:
     points = np.stack([fields[axis] for axis in "xyz"], axis=-1)
     if points.ndim != 2:
         raise TypeError("msg: has several numbers x, y or z for each point")
-    kind = np.float32 if points.dtype == np.float32 else np.float64
-    return Cloud(points.astype(kind, copy=False), np.zeros(3), fields, msg.height)
+    number_type = np.float32 if points.dtype == np.float32 else np.float64
+    return Cloud(points.astype(number_type, copy=False), np.zeros(3), fields, msg.height)
 
 
-def _rows(msg: Any) -> NDArray[Any]:
+def _rows_of_message(msg: Any) -> NDArray[Any]:
     """The points as a structured array of shape (height, width)."""
-    order = ">" if msg.is_bigendian else "<"
     # PCL's files call their padding "_".
-    fields = [field for field in msg.fields if field.name != "_" and field.datatype in _TYPES]
-    kinds = [np.dtype((order + _TYPES[field.datatype], (field.count,) if field.count > 1 else ()))
-             for field in fields]
+    fields = [field for field in msg.fields
+              if field.name != "_" and field.datatype in _TYPE_NAMES]
+    byte_order = ">" if msg.is_bigendian else "<"
+    field_types = [_type_of_field(field, byte_order) for field in fields]
     row_step = msg.row_step if msg.height > 1 else msg.width * msg.point_step
     data = msg.data if isinstance(msg.data, bytes) else np.asarray(msg.data, np.uint8)
     try:
-        layout = np.dtype({"names": [field.name for field in fields], "formats": kinds,
+        layout = np.dtype({"names": [field.name for field in fields], "formats": field_types,
                            "offsets": [field.offset for field in fields],
                            "itemsize": msg.point_step})
         return np.ndarray((msg.height, msg.width), layout, data,
@@ -240,7 +252,14 @@ def _rows(msg: Any) -> NDArray[Any]:
         raise ValueError(f"msg: its fields, steps and data do not fit: {error}") from None
 
 
+def _type_of_field(field: Any, byte_order: str) -> Any:
+    """NumPy's type of a field of a message; byte_order: "<" or ">"."""
+    shape = (field.count,) if field.count > 1 else ()
+    return np.dtype((byte_order + _TYPE_NAMES[field.datatype], shape))
+
+
 def _column(numbers: NDArray[Any]) -> NDArray[Any]:
-    """A copy with one entry for each point, in the machine's byte order."""
+    """A copy with one entry for each point in place of (height, width), in the machine's byte order.
+    """
     flat = numbers.reshape((-1, *numbers.shape[2:]))
     return flat.astype(flat.dtype.newbyteorder("="))

@@ -21,22 +21,25 @@ def _tables_of_all() -> str:
 
 
 def geopackage_of(geojson: str, layer: str) -> bytes:
-    """A GeoPackage with the features of a map, polygons and lines in space, as one layer."""
+    """A GeoPackage with the features of a map, polygons and lines in space, as one layer.
+
+    geojson: the map, with its reference system in "crs" if it has one.
+    """
     import sqlite3  # not every build of Python has it
 
-    found = json.loads(geojson)
-    system = _system_of(found)
+    collection = json.loads(geojson)
+    system = _system_of(collection)
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "map.gpkg")
         database = sqlite3.connect(file)
         try:
             database.executescript(_tables_of_all())
             if system > 0:
-                # Readers know the system by its number, better than by words of ours.
+                # Readers look the system up by its number, so that it is not described here.
                 database.execute(
                     "INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES "
                     "(?, ?, 'EPSG', ?, 'undefined', NULL)", (f"EPSG:{system}", system, system))
-            boxes = _add_features(database, found["features"], layer, system)
+            boxes = _add_features(database, collection["features"], layer, system)
             _add_contents(database, layer, system, boxes)
             database.commit()
         finally:
@@ -45,13 +48,15 @@ def geopackage_of(geojson: str, layer: str) -> bytes:
             return stream.read()
 
 
-def _system_of(found: Dict[str, Any]) -> int:
-    if "crs" not in found:
+def _system_of(collection: Dict[str, Any]) -> int:
+    """The EPSG number of the reference system of a GeoJSON."""
+    if "crs" not in collection:
         return _UNKNOWN_SYSTEM
-    return int(found["crs"]["properties"]["name"].rsplit(":", 1)[1])
+    return int(collection["crs"]["properties"]["name"].rsplit(":", 1)[1])
 
 
 def _column_types(features: List[Dict[str, Any]]) -> Dict[str, str]:
+    """The SQL type of each property of the features; empty for one that is always null."""
     types: Dict[str, str] = {}
     for feature in features:
         for name, value in feature["properties"].items():
@@ -66,8 +71,9 @@ def _column_types(features: List[Dict[str, Any]]) -> Dict[str, str]:
 
 
 def _add_features(database: Any, features: List[Dict[str, Any]], layer: str, system: int) -> List[Box]:
+    """Makes the table of a layer; returns the box of each feature that has a geometry."""
     types = _column_types(features)
-    columns = "".join(f', "{name}" {kind or "TEXT"}' for name, kind in types.items())
+    columns = "".join(f', "{name}" {sql_type or "TEXT"}' for name, sql_type in types.items())
     database.execute(f'CREATE TABLE "{layer}" (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, '
                      f"geom GEOMETRY{columns})")
     boxes = []
@@ -82,6 +88,7 @@ def _add_features(database: Any, features: List[Dict[str, Any]], layer: str, sys
 
 
 def _add_contents(database: Any, layer: str, system: int, boxes: List[Box]) -> None:
+    """Registers a layer; its limits are those of all boxes, or 0 if there are none."""
     min_x, max_x, min_y, max_y = list(zip(*boxes)) or [(0.0,)] * 4
     limits = min(min_x), min(min_y), max(max_x), max(max_y)
     # A fixed time of writing, so that the same map has the same bytes.
@@ -93,24 +100,27 @@ def _add_contents(database: Any, layer: str, system: int, boxes: List[Box]) -> N
 
 
 def _blob_of(geometry: Dict[str, Any], system: int) -> Tuple[bytes, Box]:
-    """The header with reference system and box, then well-known binary (ISO 13249-3); the box."""
+    """A geometry as a GeoPackage has it, and its box.
+
+    It is a header with the reference system and the box, then well-known binary (ISO 13249-3).
+    """
     parts: List[bytes] = []
     positions: List[List[float]] = []
-    _write(geometry["type"], geometry["coordinates"], parts, positions)
+    _write_geometry(geometry["type"], geometry["coordinates"], parts, positions)
     x, y = zip(*(position[:2] for position in positions))
     box = min(x), max(x), min(y), max(y)
-    version, little_endian_with_box = 0, 3
+    version, little_endian_with_box = 0, 3  # the latter are flags
     return struct.pack("<2sBBi4d", b"GP", version, little_endian_with_box, system, *box) + b"".join(parts), box
 
 
-def _write(kind: str, coordinates: Any, parts: List[bytes], positions: List[List[float]]) -> None:
+def _write_geometry(kind: str, coordinates: Any, parts: List[bytes], positions: List[List[float]]) -> None:
     """Appends the binary of a geometry to parts, and its positions to positions."""
-    codes = {"LineString": 1002, "Polygon": 1003, "MultiLineString": 1005}  # with z
+    codes = {"LineString": 1002, "Polygon": 1003, "MultiLineString": 1005}  # of those with z
     little_endian = 1
     parts.append(struct.pack("<BII", little_endian, codes[kind], len(coordinates)))
     for part in coordinates:
         if kind == "MultiLineString":
-            _write("LineString", part, parts, positions)
+            _write_geometry("LineString", part, parts, positions)
         elif kind == "Polygon":
             parts.append(struct.pack("<I", len(part)))
             for position in part:
@@ -122,5 +132,6 @@ def _write(kind: str, coordinates: Any, parts: List[bytes], positions: List[List
 def _write_position(
     position: List[float], parts: List[bytes], positions: List[List[float]]
 ) -> None:
+    """The same for one position x, y, z."""
     parts.append(struct.pack("<3d", *position))
     positions.append(position)

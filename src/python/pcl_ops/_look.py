@@ -16,11 +16,12 @@ from ._segmentation import is_seen_from
 
 
 def _color(number: int) -> str:
-    """The color of a plane: planes next to each other in the list differ clearly.
+    """The color "#rrggbb" of the plane with this number.
 
-    The hue turns by the golden angle from one to the next, and saturation and value change.
+    From one number to the next the hue turns by the golden angle, and saturation and value change,
+    so that planes next to each other in the list differ clearly.
     """
-    golden_angle = 0.381966  # as a share of a full turn
+    golden_angle = 0.381966  # share of a full turn
     saturations, values = (0.85, 0.6, 0.95), (0.9, 0.8, 0.65)
     hue = number * golden_angle % 1.0
     channels = colorsys.hsv_to_rgb(hue, saturations[number % 3], values[number % 3])
@@ -28,7 +29,7 @@ def _color(number: int) -> str:
 
 
 def _described(number: int, plane: Plane, up: NDArray[np.float64]) -> Dict[str, Any]:
-    """What the page shows of a plane, by the keys that its script reads."""
+    """What the page shows of a plane, by the keys that the script of the page reads."""
     slope = np.degrees(np.arccos(min(abs(float(plane.normal @ up)), 1.0)))
     return {"id": number, "orientation": plane.orientation, "kind": plane.kind, "rms": plane.rms, "area": plane.area,
             "slope": slope, "normal": plane.normal.tolist(), "centroid": plane.centroid.tolist(),
@@ -38,18 +39,20 @@ def _described(number: int, plane: Plane, up: NDArray[np.float64]) -> Dict[str, 
 def _direction_to_eye(
     points: NDArray[Any], viewpoint: NDArray[np.float64], up: NDArray[np.float64], is_seen: bool
 ) -> NDArray[np.float64]:
-    """Unit vector from the points towards the eye that first looks at them.
+    """Unit vector from the points towards the eye in the first view of the page.
 
-    The eye is on the side of the sensor if the sensor saw all points, else it looks from above
-    at a slant.
+    The eye is on the side of the viewpoint if all points were seen from there (is_seen); else it
+    looks at them from above, at a slant.
     """
     finite = points[np.isfinite(points).all(axis=1)]
     towards = viewpoint - np.median(finite, axis=0) if is_seen and len(finite) else np.zeros(3)
     if towards.any():
         return towards / np.linalg.norm(towards)
     axis_near_up = np.eye(3)[np.argmax(np.abs(up))]
-    level = np.cross(up, np.roll(axis_near_up, 1))
-    slant = 0.8 * level / np.linalg.norm(level) + 0.6 * up  # 37 degrees over the horizontal
+    next_axis = np.roll(axis_near_up, 1)
+    level = np.cross(up, next_axis)  # horizontal
+    # 37 degrees over the horizontal: the sine is 0.6, the cosine 0.8.
+    slant = 0.8 * level / np.linalg.norm(level) + 0.6 * up
     return slant / np.linalg.norm(slant)
 
 
@@ -89,7 +92,7 @@ def write_html(
     numbers = plane_numbers("labels", labels, np.shape(points)[:-1], -1)
     if numbers.max() > len(planes):
         raise ValueError(f"labels: the label {numbers.max() - 1} is none of {len(planes)} planes")
-    shown = checked_number("max_points", max_points, lambda count: count >= 0, "a number of points", int)
+    max_shown = checked_number("max_points", max_points, lambda count: count >= 0, "a number of points", int)
     sensor = finite_vector("viewpoint", viewpoint)
     is_seen = is_seen_from(array, sensor)
     description = {
@@ -103,4 +106,4 @@ def write_html(
 
     single, origin = single_precision(array)
     _page.save(os.fsencode(path), json.dumps(description, allow_nan=False), single, origin, numbers, len(planes),
-               shown)
+               max_shown)

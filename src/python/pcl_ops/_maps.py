@@ -18,6 +18,7 @@ from ._arguments import Up, array_of
 from ._geopackage import geopackage_of
 from ._planes import TABLE_COLUMNS, Planes, plane_list, up_of
 
+# The outline of a plane, then its holes: arrays of corners, of shape (m, 3).
 Rings = List[NDArray[np.float64]]
 
 
@@ -44,11 +45,11 @@ def write_planes(
     """
     name = os.fsdecode(path)
     listed = plane_list("planes", planes)
-    axis = up_of(listed, up)
-    numbers = _ids(labels, len(listed))
+    upwards = up_of(listed, up)
+    ids = _ids(labels, len(listed))
     if hull not in ("convex", "concave"):
         raise ValueError(f"hull: has to be 'convex' or 'concave', not {hull!r:.80}")
-    rows = [{"id": number, **plane.as_dict(axis)} for number, plane in zip(numbers, listed)]
+    rows = [{"id": plane_id, **plane.as_dict(upwards)} for plane_id, plane in zip(ids, listed)]
     outlines = [[plane.hull] if len(plane.hull) else [] for plane in listed]
     if hull == "concave":
         concave = [plane.concave_outline() for plane in listed]
@@ -72,11 +73,11 @@ def write_planes(
     _replace_file(name, text.encode())
 
 
-def _ids(labels: Any, number: int) -> Sequence[int]:
-    """The ids of so many planes, by default from 1."""
-    if labels is None or number == np.size(labels) == 0:
-        return range(1, number + 1)
-    array = array_of("labels", labels, "iu", "0", (number,), "planes")
+def _ids(labels: Any, plane_count: int) -> Sequence[int]:
+    """The labels as ids of so many planes; 1, 2, ... for None."""
+    if labels is None or plane_count == np.size(labels) == 0:
+        return range(1, plane_count + 1)
+    array = array_of("labels", labels, "iu", "0", (plane_count,), "planes")
     if array.min() < 0:
         raise ValueError(f"labels: have to be 0 or more, not {array.min()}")
     distinct, counts = np.unique(array, return_counts=True)
@@ -86,19 +87,22 @@ def _ids(labels: Any, number: int) -> Sequence[int]:
 
 
 def _replace_file(name: str, content: bytes) -> None:
-    """Writes under another name and renames at the end: a failure leaves an existing file as is.
+    """Writes a file under another name, then renames it.
+
+    If this fails, an existing file stays as it was.
     """
     target = os.path.realpath(name)
     folder, base = os.path.split(target)
-    # A name for each call: several threads may write the same file.
+    # Each call has another name, as several threads may write the same file.
     unfinished = os.path.join(folder, f"{base}.{secrets.token_urlsafe(6)}.part")
-    # The system takes the bits of the umask away from the permissions.
+    # Read and write for all; the system removes the permissions in the user's umask.
     descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+    permission_bits = 0o7777
     try:
         with open(descriptor, "wb") as file:
             file.write(content)
         if os.path.exists(target):
-            os.chmod(unfinished, os.stat(target).st_mode & 0o7777)
+            os.chmod(unfinished, os.stat(target).st_mode & permission_bits)
         os.replace(unfinished, target)
     except BaseException:
         os.remove(unfinished)
@@ -106,10 +110,12 @@ def _replace_file(name: str, content: bytes) -> None:
 
 
 def _seen_from_above(rings: Rings) -> Rings:
-    """The outline counter-clockwise, its holes clockwise, as maps want them; closed."""
+    """The rings as maps want them, closed: seen from above the outline counter-clockwise, holes clockwise.
+    """
     closed_rings = []
     for ring in rings:
-        x, y = (ring - ring[0])[:, :2].T  # far from zero areas have few digits left
+        # Relative to a corner, as areas of coordinates far from zero lose digits.
+        x, y = (ring - ring[0])[:, :2].T
         twice_area = x @ np.roll(y, -1) - y @ np.roll(x, -1)
         is_outline = not closed_rings
         is_wrong = twice_area < 0.0 if is_outline else twice_area > 0.0
@@ -125,6 +131,7 @@ def _decimals(rows: Sequence[Dict[str, Any]]) -> int:
 
 
 def _number_texts(corner: NDArray[np.float64], decimals: int) -> List[str]:
+    """The coordinates of a corner with so many decimals."""
     # A coordinate that is rounded to zero has no sign.
     return [f"{0.0 if abs(value) <= 0.5 * 10.0**-decimals else value:.{decimals}f}"
             for value in corner.tolist()]
@@ -139,13 +146,18 @@ def _nested(rings: Rings, decimals: int, separator: str, list_signs: str, corner
     """
     texts = []
     for ring in rings:
-        corners = (corner_signs[:1] + separator.join(_number_texts(corner, decimals))
-                   + corner_signs[1:] for corner in ring)
+        coordinates = [separator.join(_number_texts(corner, decimals)) for corner in ring]
+        corners = [corner_signs[:1] + text + corner_signs[1:] for text in coordinates]
         texts.append(list_signs[0] + ",".join(corners) + list_signs[1])
     return list_signs[0] + ",".join(texts) + list_signs[1]
 
 
 def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any) -> str:
+    """A map of planes.
+
+    rows: names and values of each plane, the properties of its feature.
+    outlines: of each plane, empty if it has no outline.
+    """
     text = '{"type":"FeatureCollection",'
     if crs is not None:
         if not (isinstance(crs, str) and re.fullmatch("EPSG:[0-9]{1,7}", crs)):
@@ -158,7 +170,7 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
     for row, rings in zip(rows, outlines):
         properties = {name.replace("normal_", "n"): value for name, value in row.items()}
         coordinates = _nested(rings, decimals, ",", "[]", "[]")
-        # A polygon without area on the map is not valid: facades are lines.
+        # A polygon without area on the map is not valid: upright planes become lines.
         smallest_normal_z = 0.001
         is_upright = (row["orientation"] == "vertical"
                       or abs(row["normal_z"]) < smallest_normal_z)
@@ -171,7 +183,8 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
 
 
 def _json(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], planes: Planes) -> str:
-    """Planes as --planes FILE.json of the programs has them, without what is about the run."""
+    """A list of planes as --planes FILE.json of the programs writes it, but without entries
+    about the run."""
     entries = []
     for row, rings, plane in zip(rows, outlines, planes):
         entry = {name: row[name] for name in ("id", "orientation", "kind", "points")}
@@ -182,12 +195,14 @@ def _json(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], planes: Pla
         entry.update((name, row[name]) for name in ("area", "slope", "aspect", "height"))
         entry["extent"] = {"length": row["length"], "width": row["width"]}
         open_rings = [ring[:-1].tolist() for ring in rings]
-        entry["hull"], entry["holes"] = (open_rings or [[]])[0], open_rings[1:]
+        entry["hull"] = open_rings[0] if open_rings else []
+        entry["holes"] = open_rings[1:]
         entries.append(entry)
     return json.dumps({"planes": entries}, indent=1, allow_nan=False) + "\n"
 
 
 def _csv(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings]) -> str:
+    """A table of planes, with the outline as well-known text in the last column."""
     stream = io.StringIO()
     table = csv.writer(stream, lineterminator="\n")
     table.writerow(["id", *TABLE_COLUMNS, "wkt"])

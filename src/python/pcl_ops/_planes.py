@@ -17,13 +17,13 @@ from ._arguments import (
     parameters_of, points_array, pose_matrix, single_precision, up_direction, with_given)
 
 
-def _part(name: str, doc: str) -> Any:
-    """An attribute of the extension's class, with a docstring."""
+def _of_segment(name: str, doc: str) -> Any:
+    """The attribute with this name of the extension's class Segment, with a docstring."""
     return property(getattr(_pcl_ops.Segment, name).fget, doc=doc)
 
 
-def _part_of_extent(position: int, doc: str) -> Any:
-    """One of hull, area, length and width, with a docstring."""
+def _of_extent(position: int, doc: str) -> Any:
+    """The entry of _Extent at this position, with a docstring."""
     return property(lambda plane: plane._extent()[position], doc=doc)
 
 
@@ -42,14 +42,14 @@ def _default_tolerance() -> float:
 
 
 class _Naming(NamedTuple):
-    """By what orientations and kinds of planes are named."""
+    """What the orientation and the kind of a plane follow from."""
 
     planes: List["Plane"]
-    """All that were found together; none for a plane of a pickle, which knows its kind."""
+    """All planes that were found together; empty for a plane of a pickle, which has its kind."""
     up: Vector = (0.0, 0.0, 1.0)
     angle_tolerance: float = _default_tolerance()
     viewpoint: Optional[Vector] = None
-    """Of the sensor."""
+    """The position of the sensor; None if it is not known."""
 
 
 class Plane(_pcl_ops.Segment):
@@ -60,21 +60,21 @@ class Plane(_pcl_ops.Segment):
     array; planes that are pickled in one list share it.
     """
 
-    normal: NDArray[np.float64] = _part("normal", "(3,): unit normal, towards the viewpoint.")
-    centroid: NDArray[np.float64] = _part("centroid", "(3,): mean of the inliers, on the plane.")
+    normal: NDArray[np.float64] = _of_segment("normal", "(3,): unit normal, towards the viewpoint.")
+    centroid: NDArray[np.float64] = _of_segment("centroid", "(3,): mean of the inliers, on the plane.")
     coefficients: NDArray[np.float64] = property(
         lambda plane: np.append(plane.normal, -plane.normal @ plane.centroid),
         doc="(4,): normal and d of a x + b y + c z + d = 0.")
-    rms: float = _part("rms", "Root mean square distance of the inliers to the plane.")
-    noise: Optional[float] = _part("noise", """The standard deviation of the surrounding points from
+    rms: float = _of_segment("rms", "Root mean square distance of the inliers to the plane.")
+    noise: Optional[float] = _of_segment("noise", """The standard deviation of the surrounding points from
         their surface, the median over the plane; at most 4 times what is usual at their density.
         None for other methods than "ops", for a given surfels_voxel_size, and for exact
         points.""")
-    orientation: Literal["horizontal", "vertical", "other"] = _part(
+    orientation: Literal["horizontal", "vertical", "other"] = _of_segment(
         "orientation", "By up and angle_tolerance.")
-    inliers: NDArray[np.int32] = _part(
+    inliers: NDArray[np.int32] = _of_segment(
         "inliers", "(n,), read-only: rows of the array that are on the plane, ascending.")
-    axes: NDArray[np.float64] = _part("axes", """(2, 3): unit vectors u and v in the plane,
+    axes: NDArray[np.float64] = _of_segment("axes", """(2, 3): unit vectors u and v in the plane,
         u x v = normal, those of covariance. They depend on the normal alone.""")
     covariance: Optional[NDArray[np.float64]] = property(
         lambda plane: _pcl_ops.covariance(*plane._own_points(), plane),
@@ -83,16 +83,16 @@ class Plane(_pcl_ops.Segment):
         centroid + s u + t v. Right where neighboring points err alike, too, as in images of
         depth cameras; from the array as it is. None for inliers in fewer than four of the 64
         blocks the plane is divided into.""")
-    independent_covariance: Optional[NDArray[np.float64]] = _part(
+    independent_covariance: Optional[NDArray[np.float64]] = _of_segment(
         "independent_covariance", """(3, 3): the same for noise that is independent from point to
         point, by the moments alone; far too small for depth cameras. None for fewer than four
         inliers.""")
-    hull: NDArray[np.float64] = _part_of_extent(0, """(m, 3): corners of the convex outline, on the
+    hull: NDArray[np.float64] = _of_extent(0, """(m, 3): corners of the convex outline, on the
         plane, counter-clockwise seen from the side the normal points to, the first not
         repeated.""")
-    area: float = _part_of_extent(1, "Area of the hull.")
-    length: float = _part_of_extent(2, "Longer side of the smallest rectangle around the hull.")
-    width: float = _part_of_extent(3, "Shorter side of that rectangle.")
+    area: float = _of_extent(1, "Area of the hull.")
+    length: float = _of_extent(2, "Longer side of the smallest rectangle around the hull.")
+    width: float = _of_extent(3, "Shorter side of that rectangle.")
 
     @property
     def lies_on(self) -> Optional[int]:
@@ -156,7 +156,10 @@ class Plane(_pcl_ops.Segment):
             self.width, slope, aspect, float(self.centroid @ axis))))
 
     def __init__(self, segment: Any, points: NDArray[Any]) -> None:
-        """Takes the contents of the extension's segment; points: the array it is of."""
+        """Takes the contents of the extension's segment, which has none afterwards.
+
+        points: the user's array in which the plane was found.
+        """
         super().__init__(segment)
         self._points = points
         self._known_extent = None
@@ -170,23 +173,24 @@ class Plane(_pcl_ops.Segment):
                 f"rms {self.rms:.3g}>")
 
     def __reduce__(self) -> Any:
-        return _plane, (self._points, *self._state()), {
+        return _plane, (self._points, *self._segment_state()), {
             "_lies_on": self._lies_on, "_kind": self.kind, "_known_extent": self._known_extent,
             "_named_with": self._named_with._replace(planes=[])}
 
-    def _state(self, **other: Any) -> Tuple[Any, ...]:
-        """What the extension makes a segment of; other: values of attributes to replace."""
+    def _segment_state(self, **changed: Any) -> Tuple[Any, ...]:
+        """The arguments of the extension's Segment; changed: values in place of the plane's."""
         centroid, normal, orientation, moments, inliers, noise = (
-            other.get(name, getattr(self, name))
+            changed.get(name, getattr(self, name))
             for name in ("centroid", "normal", "orientation", "_moments", "inliers", "noise"))
         return centroid, normal, orientation, *moments, inliers, noise
 
     def _extent(self) -> "_Extent":
-        if self._known_extent is None:  # computed late, as it takes longer than finding the plane
+        if self._known_extent is None:  # not before it is needed: it takes long
             self._known_extent = _extent_of(self._points.take(self.inliers, axis=0), self)
         return self._known_extent
 
     def _own_points(self) -> Tuple[NDArray[np.float32], NDArray[np.float64]]:
+        """The inliers in single precision, and the origin that they are relative to."""
         return single_precision(self._points.take(self.inliers, axis=0))
 
 
@@ -195,15 +199,18 @@ _Extent = Tuple[NDArray[np.float64], float, float, float]
 
 
 def _extent_of(points: NDArray[Any], segment: Any) -> _Extent:
-    """The extent of points on a plane; the segment has as many inliers."""
+    """The extent of points on a plane.
+
+    points: those of the segment's inliers, in their order.
+    """
     single, origin = single_precision(points)
     hull, *sizes = _pcl_ops.extent(single, origin, segment)
     return np.reshape(hull, (-1, 3)) + origin, *sizes
 
 
-def _plane(points: NDArray[Any], *state: Any) -> Plane:
-    """A plane of what Plane.__reduce__ put into a pickle."""
-    return Plane(_pcl_ops.Segment(*state), points)
+def _plane(points: NDArray[Any], *segment_state: Any) -> Plane:
+    """A plane from Plane._segment_state; pickles call it."""
+    return Plane(_pcl_ops.Segment(*segment_state), points)
 
 
 Planes = Sequence[Plane]
@@ -224,7 +231,7 @@ class ResultWarning(UserWarning):
         return ResultWarning, (self.code, str(self))
 
 
-# The largest number of warnings on a result, as of the programs.
+# The largest number of warnings about a result, the same as in the programs.
 MAX_WARNINGS = 3
 
 
@@ -243,10 +250,11 @@ class FoundPlanes(List[Plane]):
     warnings: Sequence[ResultWarning] = ()
     """What is doubtful about the planes, the most important first. Each one was also given to
     warnings.warn."""
-    # Given when kinds are asked for: they need to know which way is up.
-    _of_kinds: Optional[ResultWarning] = None
+    # Is given when kinds are asked for: they need to know which way is up.
+    _warning_of_kinds: Optional[ResultWarning] = None
 
     def _warn(self, warning: ResultWarning, stacklevel: int) -> None:
+        """Gives a warning and adds it to warnings; stacklevel: as of warnings.warn."""
         self.warnings = [*self.warnings, warning]
         python_warnings.warn(warning, stacklevel=stacklevel)
 
@@ -255,7 +263,7 @@ class FoundPlanes(List[Plane]):
 
         stacklevel: 1 is this method, 2 its caller, and so on.
         """
-        warning, self._of_kinds = self._of_kinds, None
+        warning, self._warning_of_kinds = self._warning_of_kinds, None
         if warning:
             self._warn(warning, stacklevel + 1)
 
@@ -293,7 +301,7 @@ class PlaneCorner(NamedTuple):
 
 
 def _array_of(planes: Planes) -> NDArray[Any]:
-    """The array that all planes are of."""
+    """The one array in which all planes were found; raises if there are several."""
     if not all(is_same_array(plane._points, planes[0]._points) for plane in planes):
         raise ValueError("planes: they are of different arrays, whose rows cannot be told apart")
     return planes[0]._points if planes else np.empty((0, 3), np.float32)
@@ -304,8 +312,10 @@ def plane_list(name: str, planes: Any) -> List[Plane]:
 
     FoundPlanes stay what they are, as they know their up.
     """
-    is_list = isinstance(planes, FoundPlanes)
-    listed = planes if is_list else list(planes) if isinstance(planes, Iterable) else [planes]
+    if isinstance(planes, FoundPlanes):
+        listed = planes
+    else:
+        listed = list(planes) if isinstance(planes, Iterable) else [planes]
     if not all(isinstance(plane, Plane) for plane in listed):
         raise TypeError(f"{name}: not a list of pcl_ops.Plane: {planes!r:.80}")
     return listed
@@ -314,16 +324,17 @@ def plane_list(name: str, planes: Any) -> List[Plane]:
 def name_together(
     planes: List[Plane], up: Vector, angle_tolerance: float, viewpoint: Optional[Vector]
 ) -> None:
-    """Makes Plane.kind of each follow from all of these planes."""
-    planes = list(planes)  # users may take planes out of theirs
+    """Sets what the kind of each plane follows from: all of these planes and the arguments."""
+    planes = list(planes)  # a copy, as users may remove planes from their list
     for plane in planes:
         plane._kind, plane._named_with = None, _Naming(planes, up, angle_tolerance, viewpoint)
 
 
 def _own_up(planes: List[Plane]) -> Vector:
-    """The up that planes were found with, by the first one if they are no FoundPlanes."""
-    is_told_by_first = planes and not isinstance(planes, FoundPlanes)
-    return planes[0]._named_with.up if is_told_by_first else getattr(planes, "up", FoundPlanes.up)
+    """The up that planes were found with: that of the list, or else of the first plane."""
+    if planes and not isinstance(planes, FoundPlanes):
+        return planes[0]._named_with.up
+    return getattr(planes, "up", FoundPlanes.up)
 
 
 def up_of(planes: List[Plane], given: Optional[Up]) -> NDArray[np.float64]:
@@ -332,33 +343,35 @@ def up_of(planes: List[Plane], given: Optional[Up]) -> NDArray[np.float64]:
 
 
 def _named_by(up: NDArray[np.float64], planes: List[Plane]) -> List[Plane]:
-    """The planes as segment finds them with this up: the same, or copies with other orientations.
+    """The planes as segment would find them with this up.
 
-    Where the sensor is unknown, normals are turned up.
+    They are the given planes if these were found with it; else copies with other orientations.
+    In copies normals are turned up if the position of the sensor is not known.
     """
     if all(np.array_equal(up_direction(plane._named_with.up), up) for plane in planes):
         return planes
     _, _, tolerance, viewpoint = planes[0]._named_with
     is_sensor_unknown = viewpoint is not None and not np.any(viewpoint) and (
-        _viewpoint_if_true(planes[0]._points, viewpoint) is None)
+        _viewpoint_if_seen(planes[0]._points, viewpoint) is None)
     copies = []
     for plane in planes:
-        height = float(plane.normal @ up)
-        orientation = ("horizontal" if np.arccos(min(1.0, abs(height))) <= tolerance else
-                       "vertical" if np.arcsin(min(1.0, abs(height))) <= tolerance else "other")
-        # Vertical ones are turned to zero, as if a sensor were there.
-        points_wrong = plane.normal @ plane.centroid > 0.0 if orientation == "vertical" else height < 0.0
-        turns = is_sensor_unknown and points_wrong
-        changed = plane._state(orientation=orientation, normal=-plane.normal if turns else plane.normal)
-        copies.append(_plane(plane._points, *changed))
-        # Corners of a hull are in the order that the normal gives them.
-        copies[-1]._known_extent = None if turns else plane._extent()
+        cosine = float(plane.normal @ up)
+        orientation = ("horizontal" if np.arccos(min(1.0, abs(cosine))) <= tolerance else
+                       "vertical" if np.arcsin(min(1.0, abs(cosine))) <= tolerance else "other")
+        # The normals of vertical planes are turned towards zero, as if a sensor were there.
+        points_wrong = plane.normal @ plane.centroid > 0.0 if orientation == "vertical" else cosine < 0.0
+        is_turned = is_sensor_unknown and points_wrong
+        normal = -plane.normal if is_turned else plane.normal
+        state = plane._segment_state(orientation=orientation, normal=normal)
+        copies.append(_plane(plane._points, *state))
+        # The order of the corners of a hull depends on the side that the normal points to.
+        copies[-1]._known_extent = None if is_turned else plane._extent()
     name_together(copies, up, tolerance, viewpoint)
     return copies
 
 
-def _viewpoint_if_true(points: NDArray[Any], viewpoint: Optional[Vector]) -> Optional[Vector]:
-    """The viewpoint, or None if the array cannot have been seen from it."""
+def _viewpoint_if_seen(points: NDArray[Any], viewpoint: Optional[Vector]) -> Optional[Vector]:
+    """The viewpoint; None if the points cannot have been seen from there, or if it is None."""
     if viewpoint is None:
         return None
     single, origin = single_precision(points)
@@ -367,10 +380,13 @@ def _viewpoint_if_true(points: NDArray[Any], viewpoint: Optional[Vector]) -> Opt
 
 
 def _kinds_as_found(planes: List[Plane], meter: float = 1.0) -> List[Kind]:
-    """Kinds by the up and the viewpoint that the planes were found with."""
+    """Kinds by the up and the viewpoint that the planes were found with.
+
+    meter: the length of a meter in the unit of the planes.
+    """
     if not planes:
         return []
-    sensor = _viewpoint_if_true(planes[0]._points, planes[0]._named_with.viewpoint)
+    sensor = _viewpoint_if_seen(planes[0]._points, planes[0]._named_with.viewpoint)
     return plane_kinds(planes, meter=meter, viewpoint=sensor)
 
 
@@ -521,7 +537,7 @@ def regularize_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], L
         if not len(before.inliers):  # of a tracker: only its outline is known
             corners = np.arange(len(before.hull), dtype=np.int32)
             after._known_extent = _extent_of(
-                before.hull, _pcl_ops.Segment(*after._state(inliers=corners)))
+                before.hull, _pcl_ops.Segment(*after._segment_state(inliers=corners)))
     if planes:
         name_together(regularized, *planes[0]._named_with[1:])
     return regularized, [PlaneMove(*move) for move in moves]
@@ -610,7 +626,10 @@ class FloorPlan(NamedTuple):
 
 
 def draw_floor_plan(planes: Planes, up: Optional[Up], parameters: Dict[str, Any]) -> FloorPlan:
-    """The plan; warnings name the line of the user, which called the caller of this."""
+    """The plan that floor_plan returns.
+
+    Warnings name the line that called the caller of this function, as that is the user's line.
+    """
     if isinstance(planes, FoundPlanes):
         planes._warn_of_kinds(4)
     planes = plane_list("planes", planes)
@@ -674,7 +693,7 @@ def estimate_up_axis(
     sensor = finite_vector("viewpoint", viewpoint)
     found = _pcl_ops.up_axis(planes, sensor, with_given(_pcl_ops.estimate_up_axis(), parameters))
     arrays = {id(plane._points): plane._points for plane in planes}.values()
-    are_seen = all(_viewpoint_if_true(array, sensor) is not None for array in arrays)
+    are_seen = all(_viewpoint_if_seen(array, sensor) is not None for array in arrays)
     return found if found and are_seen else None
 
 
@@ -721,33 +740,35 @@ class TrackedPlane(NamedTuple):
 
 def _tracked(number: int, segment: Any, last_seen: int, first_seen: int, times_seen: int,
              hull: Any, *sizes: float) -> TrackedPlane:
+    """A plane of the extension's tracker; sizes: area, length and width of the hull."""
     plane = Plane(segment, np.empty((0, 3), np.float32))
     corners = np.reshape(hull, (-1, 3))
     plane._known_extent = corners, *sizes
     return TrackedPlane(number, plane, last_seen, first_seen, times_seen, corners)
 
 
-class _Way:
-    """How far a sensor moves along the axes of its own frames."""
+class _MotionOfSensor:
+    """How far a sensor has moved along each axis of its own frames, by its poses."""
 
-    SHORTEST = 3.0  # [m]: a sensor that is lifted moves less
+    MIN_LENGTH_ALONG_Z = 3.0  # [m]: a sensor that is only lifted moves less
     MIN_COSINE = 0.9  # of the angle between z and up
 
     def __init__(self) -> None:
         self._last_pose: Optional[NDArray[np.float64]] = None
         self._length_along_axes = np.zeros(3)
-        self._was_told = False
+        self._was_reported = False
 
     def goes_up(self, pose: NDArray[np.float64], up: Optional[Vector]) -> bool:
-        """Whether z is up and most of the way goes along z; true for the first such pose alone."""
+        """Adds a pose. Whether z is up but the sensor moved mostly along z; true only once."""
         if self._last_pose is not None:
             motion = np.linalg.solve(self._last_pose, pose)
             self._length_along_axes += np.abs(motion[:3, 3])
         self._last_pose = pose
         x, y, z = self._length_along_axes
         is_z_up = up is not None and up[2] > self.MIN_COSINE
-        is_first = not self._was_told and is_z_up and z >= max(x, y, self.SHORTEST)
-        self._was_told = self._was_told or is_first
+        is_first = (not self._was_reported and is_z_up
+                    and z >= max(x, y, self.MIN_LENGTH_ALONG_Z))
+        self._was_reported = self._was_reported or is_first
         return is_first
 
 
@@ -774,13 +795,13 @@ class PlaneTracker:
                 "max_distance", max_distance, lambda length: length > 0.0, "a length above 0 or None")
         self._tracker = _pcl_ops.Tracker(
             with_given(_pcl_ops.match_planes(), parameters), memory, max_distance)
-        self._way = _Way()
+        self._motion = _MotionOfSensor()
         self._sum_of_ups = np.zeros(3)
 
     def __copy__(self) -> "PlaneTracker":
         copied = PlaneTracker()
         copied._tracker = _pcl_ops.Tracker(self._tracker)
-        copied._way, copied._sum_of_ups = copy(self._way), self._sum_of_ups
+        copied._motion, copied._sum_of_ups = copy(self._motion), self._sum_of_ups
         return copied
 
     def __deepcopy__(self, _: Any) -> "PlaneTracker":
@@ -804,7 +825,7 @@ class PlaneTracker:
         numbers = self._tracker.track(listed, frame)
         if listed:
             self._sum_of_ups = self._sum_of_ups + frame[:3, :3] @ up_of(listed, None)
-        if self._way.goes_up(frame, getattr(planes, "up", None)):
+        if self._motion.goes_up(frame, getattr(planes, "up", None)):
             context = _pcl_ops.ResultContext()
             context.has_camera_poses = True
             no_points, origin = np.empty((0, 3), np.float32), np.zeros(3)

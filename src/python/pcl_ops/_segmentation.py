@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Points, Vector, checked_number, finite_vector, flag, named_parameters, parameters_of
+from ._arguments import Points, Vector, checked_flag, checked_number, finite_vector, named_parameters, parameters_of
 from ._arguments import plane_numbers, points_array, single_precision, with_given
 from ._planes import MAX_WARNINGS, FoundPlanes, Labels, Plane, ResultWarning, name_together
 
@@ -23,8 +23,8 @@ def _preset(method: Any, preset: Any) -> Any:
         if value not in words:
             raise (ValueError if isinstance(value, str) else TypeError)(
                 f"{name}: has to be one of {words}, not {value!r:.80}")
-    kind = getattr(_pcl_ops, method)
-    return kind.paper() if preset == "paper" else kind()
+    struct = getattr(_pcl_ops, method)
+    return struct.paper() if preset == "paper" else struct()
 
 
 @named_parameters("ops", "fspf", "kht", up="Union[Vector, Literal['auto', 'camera']]")
@@ -62,15 +62,15 @@ def segment(
     what is doubtful, also if no up is given and the planes suggest another one than z, or if
     they cannot tell it for "auto"; planes.warnings has the same warnings.
     """
-    by_default = _preset(method, preset)
-    are_pieces = flag("pieces", pieces)
+    preset_parameters = _preset(method, preset)
+    wants_pieces = checked_flag("pieces", pieces)
     gap = checked_number("piece_gap", piece_gap, lambda spacings: spacings >= 1.0,
                          "a number of spacings from 1")
     sensor = finite_vector("viewpoint", viewpoint)
     array = points_array(points)
     single, origin = single_precision(array)
     seen = single, origin, sensor
-    found_up = None  # direction and confidence
+    found_up = None  # direction and confidence, for up="auto"
     up_warning = None
     is_up_known = "up" in parameters
     if _is_auto(parameters.get("up")):
@@ -78,25 +78,25 @@ def segment(
         up_warning = None if found_up else ResultWarning(
             "unknown-up", "up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)")
         parameters["up"] = (0.0, 0.0, 1.0) if found_up is None else found_up[0]
-    given = with_given(by_default, parameters)
-    segments, voxel_size, distance_threshold = _pcl_ops.segment(*seen, given)
+    used = with_given(preset_parameters, parameters)
+    segments, voxel_size, distance_threshold = _pcl_ops.segment(*seen, used)
     if "up" not in parameters and (method, preset) == ("ops", "default"):
-        up_warning = _suggested_up(seen, segments, given)
-    warnings = _warnings_of(seen, segments, given, is_up_known)
+        up_warning = _warning_of_suggested_up(seen, segments, used)
+    warnings = _warnings_of(seen, segments, used, is_up_known)
     lies_on = [None] * len(segments)
-    if are_pieces:
+    if wants_pieces:
         segments, lies_on = _pcl_ops.pieces(
             single, origin, segments, gap, parameters.get("threads", 1))
     planes = FoundPlanes(Plane(segment, array) for segment in segments)
     for plane, number in zip(planes, lies_on):
         plane._lies_on = number
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
-    known = parameters_of(given)
+    known = parameters_of(used)
     planes.up = known["up"][0]
     planes.up_confidence = found_up and found_up[1]
     name_together(planes, planes.up, known["angle_tolerance"][0], sensor)
-    # That kinds need to know up is told when somebody asks for them.
-    planes._of_kinds = None if up_warning else next(
+    # That kinds of planes need the up axis is told when somebody asks for kinds.
+    planes._warning_of_kinds = None if up_warning else next(
         (warning for warning in warnings if warning.code == "unknown-up"), None)
     others = [warning for warning in warnings if warning.code != "unknown-up"]
     for warning in ([up_warning] if up_warning else []) + others[:MAX_WARNINGS]:
@@ -107,7 +107,8 @@ def segment(
     return labels.reshape(np.shape(points)[:-1]), planes
 
 
-# The points, the origin they are relative to, and the sensor's position, as for the extension.
+# What the extension gets of a cloud: the points, the origin that they are relative to, and the
+# position of the sensor, relative to zero of the user's array.
 _Seen = Tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float64]]
 
 
@@ -116,7 +117,10 @@ def _is_auto(up: Any) -> bool:
 
 
 def _up_of(seen: _Seen, segments: Any) -> Optional[Tuple[NDArray[np.float64], float]]:
-    """Direction and confidence, if the points may have been seen from the sensor's position."""
+    """Direction and confidence of the up axis that the planes tell.
+
+    None if they tell none, or if the points cannot have been seen from the sensor's position.
+    """
     single, origin, sensor = seen
     found = _pcl_ops.up_axis(segments, sensor, _pcl_ops.estimate_up_axis())
     return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
@@ -125,16 +129,19 @@ def _up_of(seen: _Seen, segments: Any) -> Optional[Tuple[NDArray[np.float64], fl
 def _up_of_default(
     seen: _Seen, parameters: Dict[str, Any]
 ) -> Optional[Tuple[NDArray[np.float64], float]]:
-    """The same by planes of the default preset, for which the confidence was measured."""
+    """The same as _up_of, by planes that the default preset finds in the cloud.
+
+    What the confidence means was measured for such planes.
+    """
     known = {name: parameters[name] for name in ("seed", "threads") if name in parameters}
     return _up_of(seen, _pcl_ops.segment(*seen, with_given(_pcl_ops.ops(), known))[0])
 
 
-def _suggested_up(seen: _Seen, segments: Any, used: Any) -> Optional[ResultWarning]:
+def _warning_of_suggested_up(seen: _Seen, segments: Any, used: Any) -> Optional[ResultWarning]:
     """A warning that the planes suggest another up axis than the one used, or None."""
     found = _up_of(seen, segments)
     known = parameters_of(used)
-    # Upside down planes have the same orientations.
+    # The sign does not matter: with the opposite up, planes have the same orientations.
     if not found or abs(found[0] @ known["up"][0]) >= np.cos(known["angle_tolerance"][0]):
         return None
     x, y, z = np.round(found[0], 2) + 0.0  # adding 0 makes -0 positive

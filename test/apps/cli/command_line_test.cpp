@@ -12,8 +12,8 @@ namespace {
 
 using Arguments = std::vector<const char*>;
 
-/** \brief Parses arguments of a program "detect".
- * \return whether the program is to proceed */
+/** \brief Parses the arguments of a call of a program "detect".
+ * \return whether the program is to go on; false after --help or --version */
 bool
 parse (CommandLine& line, Arguments arguments)
 {
@@ -22,16 +22,17 @@ parse (CommandLine& line, Arguments arguments)
 }
 
 /** \brief The values that the command line of a program "detect" sets. */
-struct Detector {
+struct DetectCall {
   std::string input;
   double threshold = 0.05;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   bool quiet = false;
+  /** \brief What \ref parse returned. */
   bool proceeds = false;
   /** \brief The error message of the command line; empty without an error. */
   std::string complaint;
 
-  explicit Detector (const Arguments& arguments)
+  explicit DetectCall (const Arguments& arguments)
   {
     CommandLine line ("detect", "Detects.", "1.2.3");
     line.addArgument ("INPUT", input, "a cloud");
@@ -44,42 +45,44 @@ struct Detector {
 
 } // namespace
 
-TEST (CommandLine, TakesOneDashTwoDashesEqualsAndTheStartOfAName)
+TEST (CommandLine, TakesOptionsWithOneOrTwoDashesWithAnEqualsSignAndAbbreviated)
 {
   for (const Arguments& arguments : {Arguments{"in.pcd", "-threshold", "0.02"},
                                      Arguments{"in.pcd", "--threshold", "0.02"},
                                      Arguments{"-threshold=0.02", "in.pcd"},
                                      Arguments{"--threshold=0.02", "in.pcd"},
                                      Arguments{"--thresh=0.02", "--", "in.pcd"}}) {
-    const Detector detector (arguments);
-    EXPECT_EQ (detector.complaint, "");
-    EXPECT_EQ (detector.threshold, 0.02) << arguments[0];
-    EXPECT_EQ (detector.input, "in.pcd") << arguments[0];
+    const DetectCall call (arguments);
+    EXPECT_EQ (call.complaint, "");
+    EXPECT_EQ (call.threshold, 0.02) << arguments[0];
+    EXPECT_EQ (call.input, "in.pcd") << arguments[0];
   }
 }
 
 TEST (CommandLine, AsksWhetherASimilarOptionIsMeant)
 {
-  const auto answer = [] (const char* mistyped) {
-    return Detector ({"in.pcd", mistyped}).complaint;
+  const auto complaintAbout = [] (const char* option) {
+    return DetectCall ({"in.pcd", option}).complaint;
   };
-  const std::string begin = "is no option of this program; ";
-  EXPECT_EQ (answer ("--queit"), "--queit: " + begin + "did you mean --quiet?");
-  EXPECT_EQ (answer ("-thresholds=1"),
-             "--thresholds: " + begin + "did you mean --threshold?");
-  EXPECT_EQ (answer ("--color"), "--color: " + begin + "see --help");
+  const std::string unknown = "is no option of this program; ";
+  EXPECT_EQ (complaintAbout ("--queit"),
+             "--queit: " + unknown + "did you mean --quiet?");
+  EXPECT_EQ (complaintAbout ("-thresholds=1"),
+             "--thresholds: " + unknown + "did you mean --threshold?");
+  EXPECT_EQ (complaintAbout ("--color"), "--color: " + unknown + "see --help");
 }
 
 TEST (CommandLine, StoresEachValueOfAnOptionThatMayBeRepeated)
 {
-  std::string all;
+  std::string joined;
   CommandLine line ("detect", "Detects.", "1.2.3");
-  line.add ("add TEXT", [&all] (const std::string& text) { all += text; }).repeated();
+  line.add ("add TEXT", [&joined] (const std::string& text) { joined += text; })
+      .repeated();
   EXPECT_TRUE (parse (line, {"--add", "a", "--add=b"}));
-  EXPECT_EQ (all, "ab");
+  EXPECT_EQ (joined, "ab");
 }
 
-TEST (CommandLine, TakesTheNameAnOptionOnceHadAndCountsBothAsOne)
+TEST (CommandLine, TakesTheFormerNameOfAnOptionForTheOptionAndDoesNotListIt)
 {
   double size = 0.0;
   CommandLine line ("detect", "Detects.", "1.2.3");
@@ -93,25 +96,28 @@ TEST (CommandLine, TakesTheNameAnOptionOnceHadAndCountsBothAsOne)
 
 TEST (CommandLine, TakesNegativeNumbersAndTheCameraForUp)
 {
-  EXPECT_EQ (Detector ({"a", "--up", "-1,0,-0.5"}).up, Eigen::Vector3f (-1, 0, -0.5));
-  EXPECT_EQ (Detector ({"a", "--up", "camera"}).up, Eigen::Vector3f (0, -1, 0));
+  EXPECT_EQ (DetectCall ({"in.pcd", "--up", "-1,0,-0.5"}).up,
+             Eigen::Vector3f (-1, 0, -0.5));
+  EXPECT_EQ (DetectCall ({"in.pcd", "--up", "camera"}).up, Eigen::Vector3f (0, -1, 0));
 }
 
-TEST (CommandLine, PrintsHelpAndVersion)
+TEST (CommandLine, PrintsHelpOrVersionAndEndsTheProgram)
 {
   for (const char* question : {"--help", "-help", "-h", "--version"}) {
     testing::internal::CaptureStdout();
-    const Detector detector ({question});
-    EXPECT_EQ (detector.complaint, "");
+    const DetectCall call ({question});
+    EXPECT_EQ (call.complaint, "");
     EXPECT_FALSE (testing::internal::GetCapturedStdout().empty());
-    EXPECT_FALSE (detector.proceeds);
+    EXPECT_FALSE (call.proceeds);
   }
 }
 
-TEST (CommandLine, HelpsInTwoColumnsAndBreaksLinesBetweenWords)
+TEST (CommandLine, PrintsHelpInTwoColumnsAndBreaksLinesBetweenWords)
 {
   std::string ignored;
   CommandLine line ("detect", "Detects.", "1.0");
+  constexpr std::size_t begin_of_help = 24; // column of the texts on options
+  // With "more" the line would have more than 79 columns.
   const std::string full_line =
       "as many words as a line of 79 columns can hold, and no";
   line.addArgument ("INPUT", ignored, "a cloud");
@@ -121,5 +127,5 @@ TEST (CommandLine, HelpsInTwoColumnsAndBreaksLinesBetweenWords)
                          "\nArguments:\n  INPUT        a cloud\n  OUTPUT.pcd   the"));
   EXPECT_TRUE (contains (line.help(),
                          "\n  --detector FILE       " + full_line + "\n" +
-                             std::string (24, ' ') + "more\n"));
+                             std::string (begin_of_help, ' ') + "more\n"));
 }

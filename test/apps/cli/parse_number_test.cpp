@@ -10,7 +10,7 @@
 
 using namespace pcl_ops::apps;
 
-TEST (ParseNumber, TakesWholeNumbersUpToTheLargestOfTheirType)
+TEST (ParseNumber, TakesAllWholeNumbersOfItsTypeAndNoLargerOnes)
 {
   EXPECT_EQ (parseNumber<std::size_t> ("n", "9223372036854775808", from (1)),
              9223372036854775808U);
@@ -21,18 +21,19 @@ TEST (ParseNumber, TakesWholeNumbersUpToTheLargestOfTheirType)
   EXPECT_THROW (parseNumber<int> ("n", "2147483648", Range()), UsageError);
 }
 
-TEST (ParseNumber, SaysTheLargestOfTheTypeIfANumberIsLarger)
+TEST (ParseNumber, NamesTheLargestNumberOfTheTypeOnlyIfANumberIsLarger)
 {
-  const auto complaint = [] (const auto& parse, const std::string& text) {
+  const auto complaintAbout = [] (const auto& parse, const std::string& text) {
     return complaintOf ([&] { parse ("n", text, from (0)); });
   };
-  const auto& to_32_bits = parseNumber<std::uint32_t>;
-  EXPECT_EQ (complaint (to_32_bits, "4294967296"),
+  const auto& parse_32_bits = parseNumber<std::uint32_t>;
+  const auto& parse_64_bits = parseNumber<std::uint64_t>;
+  EXPECT_EQ (complaintAbout (parse_32_bits, "4294967296"),
              "n: 4294967296 is out of range; give a whole number from 0 up to "
              "4294967295");
-  EXPECT_EQ (complaint (parseNumber<std::uint64_t>, "99999999999999999999"),
+  EXPECT_EQ (complaintAbout (parse_64_bits, "99999999999999999999"),
              "n: 99999999999999999999 is out of range; give a whole number from 0 up "
              "to 1.844674407e+19");
-  EXPECT_EQ (complaint (to_32_bits, "-1"),
+  EXPECT_EQ (complaintAbout (parse_32_bits, "-1"),
              "n: -1 is out of range; give a whole number from 0 on");
 }

@@ -10,20 +10,21 @@
 
 using namespace pcl_ops::apps;
 
-TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
+TEST (Program, TurnsExceptionsIntoAnExitCodeAndOneLineOnStandardError)
 {
-  // The exit code, and what is on standard error.
+  // Returns "EXIT_CODE TEXT", with the text on standard error.
   const auto run = [] (const std::function<int()>& body) {
     testing::internal::CaptureStderr();
     const int code = runProgram ("detect", body);
     return std::to_string (code) + " " + testing::internal::GetCapturedStderr();
   };
-  const auto warned = [] {
+  const auto warnAndSucceed = [] {
     warn ("a.pcd: is\nodd");
     return ExitCode::done;
   };
   EXPECT_EQ (run ([] { return ExitCode::done; }), "0 ");
-  EXPECT_EQ (run (warned), "0 detect: a.pcd: is odd\n") << "the program goes on";
+  EXPECT_EQ (run (warnAndSucceed), "0 detect: a.pcd: is odd\n")
+      << "the program goes on";
   EXPECT_EQ (run ([] () -> int { throw UsageError ("--k", "is odd"); }),
              "2 detect: --k: is odd\n");
   EXPECT_EQ (run ([] () -> int { throw WorkError ("a.pcd", "is\nempty"); }),
@@ -32,12 +33,13 @@ TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
              "1 detect: not enough memory; try a smaller cloud\n");
 }
 
-TEST (Program, SaysWhatItNeedsMoreMemoryFor)
+TEST (Program, NamesTheFileThatNeedsMoreMemoryThanThereIs)
 {
   const auto complaint = [] (const std::function<int()>& work) {
     return complaintOf ([&] { inMemory ("a.pcd", "give less", work); });
   };
-  EXPECT_EQ (inMemory ("a.pcd", "give less", [] { return 7; }), 7);
+  constexpr int result = 7;
+  EXPECT_EQ (inMemory ("a.pcd", "give less", [] { return result; }), result);
   EXPECT_EQ (complaint ([] () -> int { throw std::bad_alloc(); }),
              "a.pcd: needs more memory than there is; give less");
   EXPECT_EQ (complaint ([] () -> int { throw std::length_error ("vector"); }),
@@ -48,8 +50,8 @@ TEST (Program, SaysWhatItNeedsMoreMemoryFor)
 
 namespace {
 
-/** \brief Has EXPECT_EXIT run its statement in a newly started process instead of a
- * fork of this one, which would lack this program's other threads. */
+/** \brief A test whose EXPECT_EXIT starts a new process for its statement. A fork of
+ * the test process would lack the other threads of that process. */
 class InterruptedProgram : public testing::Test {
 protected:
   InterruptedProgram() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
@@ -59,34 +61,34 @@ protected:
 
 TEST_F (InterruptedProgram, GoesOnAfterTwoSignalsAtOnce)
 {
-  const auto interrupted_twice = [] { // as timeout sends them
+  // The command timeout sends its signal twice, too: to the program and to its group.
+  const auto beInterruptedTwice = [] {
     noteInterruptions();
     std::raise (SIGTERM);
     std::raise (SIGTERM);
     std::exit (isInterrupted() ? 0 : 1);
   };
-  EXPECT_EXIT (interrupted_twice(), testing::ExitedWithCode (0), "");
+  EXPECT_EXIT (beInterruptedTwice(), testing::ExitedWithCode (0), "");
 }
 
 TEST_F (InterruptedProgram, IsEndedByALaterSignal)
 {
-  const auto interrupted_again = [] {
+  const auto beInterruptedWithoutEnd = [] {
     noteInterruptions();
-    // Until a signal comes more than half a second after the first, and ends the
-    // program.
+    // The first signal more than half a second after the noted one ends the program.
     while (true)
       std::raise (SIGINT);
   };
-  EXPECT_EXIT (interrupted_again(), testing::KilledBySignal (SIGINT), "");
+  EXPECT_EXIT (beInterruptedWithoutEnd(), testing::KilledBySignal (SIGINT), "");
 }
 
 TEST_F (InterruptedProgram, EndsByTheSignalThatInterruptedIt)
 {
-  const auto ended = [] {
+  const auto beInterruptedAndEnd = [] {
     noteInterruptions();
     std::raise (SIGTERM);
     endAsInterrupted();
     std::exit (0);
   };
-  EXPECT_EXIT (ended(), testing::KilledBySignal (SIGTERM), "");
+  EXPECT_EXIT (beInterruptedAndEnd(), testing::KilledBySignal (SIGTERM), "");
 }

@@ -15,16 +15,19 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-// Least times from one message to the next.
-constexpr std::chrono::milliseconds seldom = std::chrono::seconds (10), always{0};
+/** \brief Shortest time from one line to the next; no test takes as long. */
+constexpr std::chrono::milliseconds longer_than_a_test = std::chrono::seconds (10);
+constexpr std::chrono::milliseconds no_time{0};
 /** \brief The characters that erase the current line of a terminal. */
-const std::string erased = "\r\033[K";
+const std::string erase_line = "\r\033[K";
 
-/** \brief The output of a run that would have two steps, but ends after \p steps of
- * them and a note.
- * \param[in] between least time from one message to the next */
+/** \brief The output of a run of two steps that does only the first \p steps of them,
+ * writes a note and ends.
+ * \param[in] between shortest time from one line to the next */
 std::string
-saidAfter (int steps, ProgressStyle style, std::chrono::milliseconds between = seldom)
+outputAfter (int steps,
+             ProgressStyle style,
+             std::chrono::milliseconds between = longer_than_a_test)
 {
   std::ostringstream stream;
   {
@@ -38,24 +41,26 @@ saidAfter (int steps, ProgressStyle style, std::chrono::milliseconds between = s
 
 } // namespace
 
-TEST (Progress, SaysHowFarItIsInAWayThatFitsTheStream)
+TEST (Progress, IsABarOrLinesOrNothing)
 {
   using Style = ProgressStyle;
   const std::string note = "a.pcd: done\n";
-  const std::string half = "1 of 2 tiles, 50 %, 0 s left";
+  const std::string half_done = "1 of 2 tiles, 50 %, 0 s left";
   const std::string half_bar = std::string (15, '=') + std::string (15, ' ');
-  const std::string bar = erased + "[" + half_bar + "] " + half;
-  EXPECT_EQ (saidAfter (1, Style::Bar), bar + erased + note + bar + erased)
-      << "drawn again below the note, and erased as the run ends before it is full";
-  EXPECT_EQ (saidAfter (2, Style::Lines, always),
-             half + "\n2 of 2 tiles, 100 %, took 0 s\n" + note);
-  EXPECT_EQ (saidAfter (2, Style::Lines), note) << "soon done";
-  EXPECT_EQ (saidAfter (2, Style::None, always), note);
+  const std::string bar = erase_line + "[" + half_bar + "] " + half_done;
+  EXPECT_EQ (outputAfter (1, Style::Bar), bar + erase_line + note + bar + erase_line)
+      << "the bar is drawn again below the note, and erased at the end";
+  EXPECT_EQ (outputAfter (2, Style::Lines, no_time),
+             half_done + "\n2 of 2 tiles, 100 %, took 0 s\n" + note);
+  EXPECT_EQ (outputAfter (2, Style::Lines), note)
+      << "done before it is time for a line";
+  EXPECT_EQ (outputAfter (2, Style::None, no_time), note);
 }
 
-TEST (StageLines, TellTheStageOnceInAWhile)
+TEST (StageLines, SayTheStageAndItsTime)
 {
   const TemporaryFolder folder;
+  // Reading from a pipe waits until another thread has written a line.
   const std::string pipe = folder / "terminal";
   ASSERT_EQ (::mkfifo (pipe.c_str(), 0600), 0);
   std::fstream reader (pipe);
@@ -76,7 +81,7 @@ TEST (StageLines, AreSilentWhereTheStageEndsFirst)
   EXPECT_EQ (terminal.str(), "");
 }
 
-TEST (Progress, SaysDurationsAsAPersonDoes)
+TEST (DurationText, IsInTheUnitsThatSuitTheDuration)
 {
   EXPECT_EQ (durationText (42.4), "42 s");
   EXPECT_EQ (durationText (187), "3 min 07 s");
@@ -85,7 +90,8 @@ TEST (Progress, SaysDurationsAsAPersonDoes)
 
 TEST (RunInParallel, DoesEachPieceOfWorkOnce)
 {
-  for (const unsigned jobs : {0U, 1U, 3U, 100U}) {
+  constexpr unsigned all_processors = 0;
+  for (const unsigned jobs : {all_processors, 1U, 3U, 100U}) {
     std::vector<std::atomic<int>> calls (10);
     runInParallel (calls.size(), jobs, [&] (std::size_t i) { ++calls[i]; });
     for (const std::atomic<int>& count : calls)
@@ -95,9 +101,11 @@ TEST (RunInParallel, DoesEachPieceOfWorkOnce)
 
 TEST (RunInParallel, PassesOnWhatTheWorkThrows)
 {
-  const auto fail = [] (std::size_t i) {
+  const auto failAtThirdCall = [] (std::size_t i) {
     if (i == 2)
       throw std::runtime_error ("third");
   };
-  EXPECT_THROW (runInParallel (5, 2, fail), std::runtime_error);
+  constexpr std::size_t calls = 5;
+  constexpr unsigned jobs = 2;
+  EXPECT_THROW (runInParallel (calls, jobs, failAtThirdCall), std::runtime_error);
 }

@@ -6,18 +6,18 @@
 
 using pcl_ops::apps::similarName;
 
-TEST (SimilarName, IsOneWithALetterPutInLeftOutChangedOrSwapped)
+TEST (SimilarName, DiffersByALetterInsertedDeletedChangedOrSwapped)
 {
   for (const char* mistyped : {"viiew", "vew", "vies", "veiw"})
     EXPECT_EQ (similarName (mistyped, {"up", "view", "seed"}), "view") << mistyped;
 }
 
-TEST (SimilarName, IsTheNearest)
+TEST (SimilarName, IsTheNameWithTheFewestEdits)
 {
   EXPECT_EQ (similarName ("min-aera", {"min-areas", "min-area"}), "min-area");
 }
 
-TEST (SimilarName, IsNoneOfAnotherWord)
+TEST (SimilarName, IsEmptyIfNoNameIsSimilar)
 {
   EXPECT_EQ (similarName ("color", {"seed", "keep-color"}), "");
   EXPECT_EQ (similarName ("", {"up"}), "");

@@ -7,20 +7,25 @@
 using pcl_ops::apps::oneLine;
 using pcl_ops::apps::validUtf8;
 
-TEST (Text, OfUtf8StaysAsItIs)
+TEST (ValidUtf8, IsTheTextItselfIfThatIsValid)
 {
   for (const char* text : {"", "a", "caf\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x98\x80"})
     EXPECT_EQ (validUtf8 (text), text);
 }
 
-TEST (Text, HasAMarkForEachByteThatIsNoUtf8)
+TEST (ValidUtf8, HasTheReplacementCharacterForEachByteThatIsNotValid)
 {
-  const std::string mark = "\xef\xbf\xbd";
+  const std::string mark = "\xef\xbf\xbd"; // U+FFFD in UTF-8
   EXPECT_EQ (validUtf8 ("caf\xe9.pcd"), "caf" + mark + ".pcd") << "Latin-1";
-  EXPECT_EQ (validUtf8 ("a\xe2\x82"), "a" + mark + mark) << "cut";
-  EXPECT_EQ (validUtf8 ("\xc0\xaf"), mark + mark) << "longer than it has to be";
-  EXPECT_EQ (validUtf8 ("\xed\xa0\x80"), mark + mark + mark) << "half of a pair";
-  EXPECT_EQ (validUtf8 ("\xf5\x80"), mark + mark) << "beyond all characters";
+  EXPECT_EQ (validUtf8 ("a\xe2\x82"), "a" + mark + mark)
+      << "a character of three bytes without the last";
+  EXPECT_EQ (validUtf8 ("\xc0\xaf"), mark + mark) << "two bytes for a character of one";
+  EXPECT_EQ (validUtf8 ("\xed\xa0\x80"), mark + mark + mark)
+      << "one half of a surrogate pair";
+  EXPECT_EQ (validUtf8 ("\xf5\x80"), mark + mark) << "above U+10FFFF";
 }
 
-TEST (Text, IsOneLine) { EXPECT_EQ (oneLine ("a\nb\r\nc"), "a b  c"); }
+TEST (OneLine, HasABlankForEachLineBreak)
+{
+  EXPECT_EQ (oneLine ("a\nb\r\nc"), "a b  c");
+}

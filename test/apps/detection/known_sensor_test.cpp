@@ -16,17 +16,19 @@ using namespace pcl_ops::apps;
 
 namespace {
 
+enum class Cellar { None, BelowHalfOfTheFloor };
+
 /** \brief A floor of 4 m x 4 m at z = -1.5 m and a point of a wall.
- * \param[in] sensor its origin [m]
- * \param[in] has_cellar half of the floor is there a second time, 2.5 m lower */
+ * \param[in] sensor position of the sensor by the cloud [m]
+ * \param[in] cellar half of the floor may be there a second time, 2.5 m lower */
 ShiftedCloud
-floorSeenFrom (const Vector3d& sensor, bool has_cellar = false)
+floorSeenFrom (const Vector3d& sensor, Cellar cellar = Cellar::None)
 {
   ShiftedCloud shifted{XyzCloud::Ptr (new XyzCloud)};
   for (float x = -2.0f; x < 2.0f; x += 0.02f)
     for (float y = -2.0f; y < 2.0f; y += 0.02f) {
       shifted.cloud->emplace_back (x, y, -1.5f);
-      if (has_cellar && x > 0.0f)
+      if (cellar == Cellar::BelowHalfOfTheFloor && x > 0.0f)
         shifted.cloud->emplace_back (x, y, -4.0f);
     }
   shifted.cloud->emplace_back (0.0f, 2.0f, 1.0f); // of a wall
@@ -34,15 +36,46 @@ floorSeenFrom (const Vector3d& sensor, bool has_cellar = false)
   return shifted;
 }
 
+/** \brief The file of a survey, without its points. */
 FileCloud
-survey ()
+surveyFile ()
 {
   FileCloud cloud;
   cloud.is_survey = true;
   return cloud;
 }
 
-/** \brief Whether a tenth of the points on planes, or more, are on floors. */
+/** \brief The planes of a lidar scan. */
+struct ScannedPlanes {
+  std::vector<PlaneSegment> planes;
+  std::vector<PlaneExtent> extents;
+  std::optional<Vector3d> sensor;
+
+  /** \brief The kind of each plane.
+   * \param[in] up direction against gravity */
+  std::vector<PlaneKind>
+  kinds (const Vector3d& up) const
+  {
+    constexpr double meter = 1.0; // the scans are in meters
+    return planeKinds (planes, extents, up, meter, sensor);
+  }
+};
+
+ScannedPlanes
+planesOfScan (const std::string& file)
+{
+  const FileCloud cloud = loadCloud (file);
+  const ShiftedCloud shifted = shiftedCloudOf (cloud);
+  ScannedPlanes scanned;
+  scanned.sensor = knownSensor (cloud, shifted);
+  scanned.planes =
+      detectPlanes (CloudView (*shifted.cloud), OrientedPointSamplingParameters());
+  for (const PlaneSegment& plane : scanned.planes)
+    scanned.extents.push_back (planeExtent (*shifted.cloud, plane));
+  return scanned;
+}
+
+/** \brief Whether at least a tenth of the points on planes are on floors. */
 bool
 hasFloor (const std::vector<PlaneSegment>& planes, const std::vector<PlaneKind>& kinds)
 {
@@ -57,14 +90,14 @@ hasFloor (const std::vector<PlaneSegment>& planes, const std::vector<PlaneKind>&
 
 } // namespace
 
-TEST (KnownSensor, IsWhereTheCloudWasSeenFrom)
+TEST (KnownSensor, IsThePositionInTheCloudUnlessTheCloudIsNotSeenFromThere)
 {
   const Vector3d sensor (1, 1, 0.5);
-  constexpr bool with_cellar = true;
   EXPECT_EQ (knownSensor (FileCloud(), floorSeenFrom (sensor)), sensor);
-  EXPECT_EQ (knownSensor (FileCloud(), floorSeenFrom (sensor, with_cellar)),
-             std::nullopt)
-      << "the cellar is behind the floor";
+  EXPECT_EQ (
+      knownSensor (FileCloud(), floorSeenFrom (sensor, Cellar::BelowHalfOfTheFloor)),
+      std::nullopt)
+      << "the floor hides the cellar";
 }
 
 TEST (KnownSensor, IsInTheFrameOfTheFile)
@@ -81,40 +114,33 @@ TEST (KnownSensor, IsNoneOfACloudOfTwoScans)
   EXPECT_EQ (knownSensor (cloud, floorSeenFrom ({0, 0, 0})), std::nullopt);
 }
 
-TEST (KnownSensor, OfASurveyIsAmidItsPointsOrNone)
+TEST (KnownSensor, OfASurveyIsInTheBoundingBoxOfItsPointsOrNone)
 {
-  const Vector3d amid (1, 1, 0.5);
-  EXPECT_EQ (knownSensor (survey(), floorSeenFrom (amid)), amid);
-  EXPECT_EQ (knownSensor (survey(), floorSeenFrom ({0, 0, 9})), std::nullopt);
+  const Vector3d inside (1, 1, 0.5), above (0, 0, 9);
+  EXPECT_EQ (knownSensor (surveyFile(), floorSeenFrom (inside)), inside);
+  EXPECT_EQ (knownSensor (surveyFile(), floorSeenFrom (above)), std::nullopt);
 }
 
-TEST (KnownSensor, TellsKindsThatNoGroundIsACeilingEvenWhereTheSensorLeans)
+TEST (KnownSensor, LetsNoPlaneBelowItBeACeilingAndKeepsFloorsWhereItLeans)
 {
-  // For all lidar scans in the data folder.
   const auto scans = lidarScansIn (PCL_OPS_DATA_DIR);
   if (scans.empty())
     GTEST_SKIP() << "no lidar scans in " << PCL_OPS_DATA_DIR;
-  constexpr double meter = 1.0;
   for (const auto& file : scans) {
-    const FileCloud cloud = loadCloud (file.string());
-    const ShiftedCloud shifted = shiftedCloudOf (cloud, 0.0);
-    const auto sensor = knownSensor (cloud, shifted);
-    ASSERT_EQ (sensor, Vector3d::Zero()) << file;
-    std::vector<PlaneSegment> planes =
-        detectPlanes (CloudView (*shifted.cloud), OrientedPointSamplingParameters());
-    std::vector<PlaneExtent> extents;
-    for (const PlaneSegment& plane : planes)
-      extents.push_back (planeExtent (*shifted.cloud, plane));
-    const auto kinds = planeKinds (planes, extents, Vector3d::UnitZ(), meter, sensor);
+    ScannedPlanes scanned = planesOfScan (file.string());
+    ASSERT_EQ (scanned.sensor, Vector3d::Zero()) << file;
+    std::vector<PlaneSegment>& planes = scanned.planes;
+    const std::vector<PlaneKind> kinds = scanned.kinds (Vector3d::UnitZ());
     for (std::size_t i = 0; i < planes.size(); ++i)
       EXPECT_FALSE (kinds[i] == PlaneKind::Ceiling && planes[i].centroid.z() < 0.0)
           << file << ", plane " << i + 1;
     // The same with an up axis that is off by 7 degrees, as of a sensor that leans.
     const Eigen::AngleAxisd lean (paper_angle_tolerance, Vector3d::UnitX());
-    const Vector3d up = lean * Vector3d::UnitZ();
+    const Vector3d leaning_up = lean * Vector3d::UnitZ();
     for (PlaneSegment& plane : planes)
-      plane.orientation = orientationOf (plane.normal, up, paper_angle_tolerance);
-    const auto kinds_of_leaning = planeKinds (planes, extents, up, meter, sensor);
-    EXPECT_EQ (hasFloor (planes, kinds), hasFloor (planes, kinds_of_leaning)) << file;
+      plane.orientation =
+          orientationOf (plane.normal, leaning_up, paper_angle_tolerance);
+    EXPECT_EQ (hasFloor (planes, kinds), hasFloor (planes, scanned.kinds (leaning_up)))
+        << file;
   }
 }

@@ -12,8 +12,9 @@ using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
 /** \brief Adds a level square of 40 x 40 points to a cloud and returns its plane. The
- * points are 2 cm apart, every second one is 1 cm higher: the noise is 5 mm.
- * \param[in] x where it begins [m]; its y begins at 0
+ * points are 2 cm apart, every second one is 1 cm higher: the rms distance of the
+ * points to the plane is 5 mm.
+ * \param[in] x where the square begins [m]; in y it begins at 0
  * \param[in] height of the lower points [m] */
 PlaneSegment
 addSquare (float x, float height, XyzCloud& cloud)
@@ -22,9 +23,9 @@ addSquare (float x, float height, XyzCloud& cloud)
   constexpr int steps = 40;
   for (int i = 0; i < steps * steps; ++i) {
     plane.inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
-    const float rough = i % 2 == 0 ? 0.0f : 0.01f;
+    const float rise = i % 2 == 0 ? 0.0f : 0.01f;
     cloud.emplace_back (
-        x + 0.02f * float (i / steps), 0.02f * float (i % steps), height + rough);
+        x + 0.02f * float (i / steps), 0.02f * float (i % steps), height + rise);
     const pcl::PointXYZ& point = cloud.back();
     plane.moments.add (point.x, point.y, point.z);
   }
@@ -32,7 +33,8 @@ addSquare (float x, float height, XyzCloud& cloud)
   return plane;
 }
 
-/** \brief The overlap of a square at (0, 0) and a second one at (x, height) [m]. */
+/** \brief The overlap of two squares of \ref addSquare: the first at x = 0 and height
+ * 0, the second at the given x and height [m]. */
 std::optional<OverlappingPlanes>
 overlapOfSquares (float x, float height)
 {
@@ -41,7 +43,7 @@ overlapOfSquares (float x, float height)
   return findOverlapping (cloud, {first, addSquare (x, height, cloud)});
 }
 
-TEST (FindOverlapping, FindsTwoPlanesOverEachOtherAndTheirDistance)
+TEST (FindOverlapping, FindsTwoPlanesOneAboveTheOtherAndTheirDistance)
 {
   const auto found = overlapOfSquares (0.4f, 0.012f);
   ASSERT_TRUE (found);
@@ -50,18 +52,20 @@ TEST (FindOverlapping, FindsTwoPlanesOverEachOtherAndTheirDistance)
   EXPECT_NEAR (found->distance, 0.012, 1e-6);
 }
 
-TEST (FindOverlapping, FindsTwoPlanesBesideEachOther)
+TEST (FindOverlapping, FindsTwoPlanesASmallGapApart)
 {
+  // The first square ends at x = 0.78 m. The gap of 6 cm is 3 times the spacing.
   EXPECT_TRUE (overlapOfSquares (0.84f, 0.012f));
 }
 
-TEST (FindOverlapping, FindsNoPlanesOfOneHeightThatAreFarFromEachOther)
+TEST (FindOverlapping, FindsNoPlanesALargeGapApart)
 {
   EXPECT_FALSE (overlapOfSquares (1.5f, 0.012f));
 }
 
-TEST (FindOverlapping, FindsNoPlanesFartherApartThanThreeTimesTheNoise)
+TEST (FindOverlapping, FindsNoPlanesFartherApartThanThreeTimesTheirRms)
 {
+  // 3 times 5 mm are 15 mm.
   EXPECT_FALSE (overlapOfSquares (0.4f, 0.02f));
 }
 

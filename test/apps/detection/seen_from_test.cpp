@@ -9,21 +9,23 @@
 using Eigen::Vector3d;
 using namespace pcl_ops;
 
-TEST (SeenFrom, IsTrueOfLidarScansFromTheSensorAndFalseFrom3MetersBesideAndBelowIt)
+TEST (IsSeenFrom, IsTrueOfTheSensorOfALidarScanAndFalse3MetersBesideAndBelowIt)
 {
   const auto scans = lidarScansIn (PCL_OPS_DATA_DIR);
   if (scans.empty())
     GTEST_SKIP() << "no lidar scans in " << PCL_OPS_DATA_DIR;
   for (const auto& file : scans) {
-    const auto cloud =
-        apps::shiftedCloudOf (apps::loadCloud (file.string()), 0.0).cloud;
+    const auto cloud = apps::shiftedCloudOf (apps::loadCloud (file.string())).cloud;
     const CloudView view (*cloud);
     EXPECT_TRUE (isSeenFrom (Vector3d::Zero(), view)) << file;
-    for (int direction = 0; direction < 8; ++direction) {
+    constexpr double distance = 3.0; // of the wrong positions from the sensor [m]
+    constexpr int directions = 8;
+    for (int direction = 0; direction < directions; ++direction) {
       const double angle = direction * M_PI / 4.0;
-      const Vector3d beside (3.0 * std::cos (angle), 3.0 * std::sin (angle), 0.0);
+      const Vector3d beside (
+          distance * std::cos (angle), distance * std::sin (angle), 0.0);
       EXPECT_FALSE (isSeenFrom (beside, view)) << file << " " << beside.transpose();
     }
-    EXPECT_FALSE (isSeenFrom (Vector3d (0.0, 0.0, -3.0), view)) << file;
+    EXPECT_FALSE (isSeenFrom (Vector3d (0.0, 0.0, -distance), view)) << file;
   }
 }

@@ -14,14 +14,15 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-constexpr double noise = 0.01; // [m]
+constexpr double usual_noise = 0.01;   // [m]
+constexpr double usual_spacing = 0.05; // [m]
 
-/** A level square of 60 x 60 points with noise.
+/** A level square of 60 x 60 points.
  * \param[in] spacing distance of neighboring points [m]
- * \param[in] standard_deviation of the noise [m]
+ * \param[in] noise standard deviation of the Gaussian noise of the heights [m]
  * \param[in] height of the square [m] */
 XyzCloud
-square (double spacing, double standard_deviation, double height = 0.0)
+square (double spacing, double noise, double height = 0.0)
 {
   Random random (1);
   XyzCloud cloud;
@@ -29,11 +30,11 @@ square (double spacing, double standard_deviation, double height = 0.0)
   for (int i = 0; i < steps * steps; ++i)
     cloud.emplace_back (float (spacing * (i / steps)),
                         float (spacing * (i % steps)),
-                        float (height + standard_deviation * random.gaussian()));
+                        float (height + noise * random.gaussian()));
   return cloud;
 }
 
-/** All points as one plane. */
+/** All points of a cloud as one plane. */
 PlaneSegment
 planeOf (const XyzCloud& cloud)
 {
@@ -45,6 +46,7 @@ planeOf (const XyzCloud& cloud)
   return plane;
 }
 
+/** The thickness of all points of a cloud as one plane. */
 Thickness
 thicknessOfAll (const XyzCloud& cloud)
 {
@@ -53,34 +55,35 @@ thicknessOfAll (const XyzCloud& cloud)
 
 TEST (Thickness, OfAPlaneWithNoiseIsItsNoise)
 {
-  const Thickness thickness = thicknessOfAll (square (0.05, noise));
-  EXPECT_NEAR (thickness.rms, noise, 0.1 * noise);
-  EXPECT_NEAR (thickness.noise, noise, 0.2 * noise);
-  EXPECT_NEAR (thickness.spacing, 0.05, 0.01);
+  const Thickness thickness = thicknessOfAll (square (usual_spacing, usual_noise));
+  EXPECT_NEAR (thickness.rms, usual_noise, 0.1 * usual_noise);
+  EXPECT_NEAR (thickness.noise, usual_noise, 0.2 * usual_noise);
+  EXPECT_NEAR (thickness.spacing, usual_spacing, 0.01);
 }
 
 TEST (Thickness, OfTwoSidesOfAWallAsOnePlaneIsFarAboveTheirNoise)
 {
-  // The sides are 20 cm apart, points 2 cm: the neighborhood of a point is on one side.
+  // The points are 2 cm apart: the neighborhood of a point is on one side.
+  constexpr double spacing = 0.02, noise = 0.002, width_of_wall = 0.2; // [m]
   const Thickness thickness =
-      thicknessOfAll (square (0.02, 0.002) + square (0.02, 0.002, 0.2));
-  EXPECT_NEAR (thickness.rms, 0.1, 0.001);
+      thicknessOfAll (square (spacing, noise) + square (spacing, noise, width_of_wall));
+  EXPECT_NEAR (thickness.rms, 0.5 * width_of_wall, 0.001);
   EXPECT_GT (thickness.factor(), 4.0 * thick_factor);
 }
 
-TEST (Thickness, OfExactPointsIsNoneWhateverTheirRounding)
+TEST (Thickness, OfExactPointsIsNearZeroThoughSinglePrecisionRoundsThem)
 {
-  // A slope: single precision rounds its heights.
-  XyzCloud cloud = square (0.05, 0.0);
+  constexpr double no_noise = 0.0;
+  XyzCloud cloud = square (usual_spacing, no_noise);
   for (pcl::PointXYZ& point : cloud)
     point.z = 0.3f * point.x + 0.1f * point.y + 100.0f;
   EXPECT_LT (thicknessOfAll (cloud).factor(), 0.1);
 }
 
-TEST (Thickness, OfRingsIsMeasuredAcrossThem)
+TEST (Thickness, OfScanLinesIsMeasuredAcrossThem)
 {
-  // Lines are 30 cm apart, every second one is 10 cm higher. Points of one line do not
-  // scatter, those of several lines do: the noise has to be measured across lines.
+  // Lines are 30 cm apart, every second one is 10 cm higher, their points are 2 cm
+  // apart. Points of one line do not scatter, those of several lines do.
   XyzCloud cloud;
   for (int line = 0; line < 30; ++line)
     for (int i = 0; i < 400; ++i)
@@ -91,23 +94,28 @@ TEST (Thickness, OfRingsIsMeasuredAcrossThem)
 
 TEST (Thickness, DoesNotDependOnTheOrderOfThePoints)
 {
-  XyzCloud cloud = square (0.05, noise) + square (0.05, noise, 0.15);
+  XyzCloud cloud =
+      square (usual_spacing, usual_noise) + square (usual_spacing, usual_noise, 0.15);
   const Thickness before = thicknessOfAll (cloud);
   std::reverse (cloud.begin(), cloud.end());
-  std::swap (cloud[7], cloud[4000]);
+  std::swap (cloud[7], cloud[4000]); // any two: the order is no plain reversal
   EXPECT_DOUBLE_EQ (thicknessOfAll (cloud).noise, before.noise);
 }
 
 TEST (Thickness, IsTheSameForFewProbesAsForMany)
 {
-  // With up to 50 probes in all, the points are not sorted for the search of neighbors.
-  const XyzCloud cloud = square (0.05, noise);
-  const double few = thicknessOf (cloud, {planeOf (cloud)}, 50).at (0).noise;
-  const double more = thicknessOf (cloud, {planeOf (cloud)}, 51).at (0).noise;
-  EXPECT_NEAR (few, more, 0.01 * noise);
+  // Up to 50 probes compare all points; more probes sort the points first.
+  constexpr std::size_t most_without_sorting = 50;
+  const XyzCloud cloud = square (usual_spacing, usual_noise);
+  const auto noiseByProbes = [&cloud] (std::size_t probes) {
+    return thicknessOf (cloud, {planeOf (cloud)}, probes).at (0).noise;
+  };
+  EXPECT_NEAR (noiseByProbes (most_without_sorting),
+               noiseByProbes (most_without_sorting + 1),
+               0.01 * usual_noise);
 }
 
-TEST (Thickness, OfPointsOnALineIsNotKnown)
+TEST (Thickness, OfPointsOnALineIsNaN)
 {
   XyzCloud cloud;
   for (int i = 0; i < 100; ++i)

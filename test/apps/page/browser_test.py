@@ -197,7 +197,7 @@ class Data(Page):
         self.assertGreater(len(shown["edges"]), 0)
 
     def test_has_points_on_their_planes(self):
-        numbers = memoryview(base64.b64decode(part_of(self.page, "places"))).cast("H")
+        numbers = memoryview(base64.b64decode(part_of(self.page, "steps"))).cast("H")
         group, plane = json.loads(part_of(self.page, "groups"))[0], self.planes[0]
         squares = 0.0
         for i in range(group["shown"]):

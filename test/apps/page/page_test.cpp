@@ -83,7 +83,7 @@ vectorIn (const nlohmann::json& list)
 std::vector<ShownGroup>
 groupsOn (const std::string& page)
 {
-  const std::vector<std::uint8_t> bytes = decoded (elementOf (page, "places"));
+  const std::vector<std::uint8_t> bytes = decoded (elementOf (page, "steps"));
   std::size_t next = 0;
   const auto coordinate = [&] { // the next one, of 16 bits, low byte first
     const int number = bytes.at (next) + 256 * bytes.at (next + 1);

@@ -66,7 +66,7 @@ struct FloorRun {
     const std::size_t size = fs::file_size (file);
     if (fs::path (file).extension() != ".cells")
       return {0, size / 3, size / 2, size - 1};
-    for (const auto& [key, blocks] : CellFile (file).blocks)
+    for (const auto& [key, blocks] : BlockFile (file).blocks)
       if (key.part == TilePart::Own)
         return {blocks.front().offset, blocks.front().offset + 100, size - 1};
     return {};
@@ -95,14 +95,14 @@ TEST (Phases, RefuseAnInputThatHasChanged)
   const TemporaryFolder& folder = floor.folder;
   const RunFolder& run = floor.run;
   const std::string& input = floor.input;
-  fs::remove (run.cells (0));
+  fs::remove (run.blocks (0));
   fs::last_write_time (input, fs::last_write_time (input) + std::chrono::seconds (1));
   const std::string complaint = input + ": has changed since the run began; remove " +
                                 (folder / "out/work") + " and run it again";
   EXPECT_EQ (complaintOf ([&] { partitionInput (floor.plan, run, 0); }), complaint);
   EXPECT_EQ (complaintOf ([&] { labelInput (floor.plan, run, 0); }), complaint);
   for (const std::string& file :
-       {run.cells (0), outputOf (floor.plan, run, 0), run.labeledMark (0)})
+       {run.blocks (0), outputOf (floor.plan, run, 0), run.labeledMark (0)})
     EXPECT_FALSE (isThere (file)) << file;
 }
 
@@ -154,19 +154,19 @@ pointOf (int number, const BlockKey& key)
       .cast<float>();
 }
 
-TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
+TEST (BlockFile, HasThePointsOfEachKeyInTheirOrder)
 {
   constexpr int turns = 1'000'000; // more than a block has
   const TemporaryFolder folder;
   {
     std::ofstream stream (folder / "0.cells", std::ios::binary);
-    CellFileWriter writer (stream, "0.cells");
+    BlockFileWriter writer (stream, "0.cells");
     for (int i = 0; i < turns; ++i)
       for (const BlockKey& key : keys)
         writer.add (key, pointOf (i, key));
     writer.finish();
   }
-  const CellFile cells (folder / "0.cells");
+  const BlockFile cells (folder / "0.cells");
   for (const BlockKey& key : keys) {
     EXPECT_GT (cells.blocks.at (key).size(), 1u);
     EXPECT_EQ (cells.count (key), std::uint64_t (turns));

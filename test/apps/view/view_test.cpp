@@ -32,8 +32,8 @@ TEST (ViewState, KeysSwitchOneWayAndBack)
   EXPECT_EQ (afterKeys ("pp").detector.preset, "default");
   EXPECT_EQ (afterKeys ("m").method, "fspf");
   EXPECT_EQ (afterKeys ("mmm").method, "ops");
-  EXPECT_FALSE (afterKeys ("h").help);
-  EXPECT_TRUE (afterKeys ("hh").help);
+  EXPECT_FALSE (afterKeys ("h").shows_keys);
+  EXPECT_TRUE (afterKeys ("hh").shows_keys);
   EXPECT_EQ (afterKeys ("2h").selected, 2u);
   for (const char* key : {"m", "p"})
     EXPECT_EQ (afterKeys (key).selected, 0u) << "other planes than the selected one";

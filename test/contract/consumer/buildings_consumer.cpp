@@ -7,7 +7,8 @@
 #include <cstdio>
 #include <vector>
 
-// Tests linking only: without planes there are no kinds, and the floor plan is empty.
+// Tests that the functions can be linked. Without planes there are no kinds, and the
+// floor plan has no walls.
 int
 main ()
 {

@@ -7,15 +7,16 @@
 
 #include <cstdio>
 
-// A floor and a wall of 2 m x 2 m, which meet at an edge: a point every 2 cm.
+// A floor and a wall of 2 m x 2 m, which meet at an edge.
 static pcl::PointCloud<pcl::PointXYZ>::Ptr
 floorAndWall ()
 {
+  constexpr float spacing = 0.02f; // [m]
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
   for (int row = 0; row < 100; ++row)
     for (int column = 0; column < 100; ++column) {
-      const float from_edge = 0.02f * static_cast<float> (row + 1);
-      const float along_edge = 0.02f * static_cast<float> (column);
+      const float from_edge = spacing * static_cast<float> (row + 1);
+      const float along_edge = spacing * static_cast<float> (column);
       cloud->push_back ({from_edge, along_edge, 0.0f});
       cloud->push_back ({0.0f, along_edge, from_edge});
     }

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Uses an installed prefix (install.cmake) as users do: by find_package, by pkg-config with the
-# bare compiler, and by calling its programs. LOADER_KNOWS: the loader finds the libraries.
+# Uses an installed prefix (install.cmake) as users do: by find_package, by pkg-config and a call
+# of the compiler, and by calling its programs. LOADER_KNOWS: the dynamic loader searches LIBDIR of
+# the prefix by itself, as it does for Debian packages.
 # cmake -DPREFIX=prefix -DWORK=folder -DCXX=c++ -DLIBDIR=lib -DPKG_CONFIG=pkg-config
 #   [-DLOADER_KNOWS=ON] -P run.cmake
 cmake_minimum_required(VERSION 3.16)
@@ -14,28 +15,28 @@ file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 
 message(STATUS "find_package")
-set(with_parts)
+set(options_of_parts) # -DWITH_SURFACE=ON and the like
 foreach(part surface buildings)
   set(with_${part} OFF)
   if(EXISTS ${prefix}/${LIBDIR}/cmake/pcl_ops/pcl_ops-${part}-targets.cmake)
     set(with_${part} ON)
   endif()
-  string(TOUPPER ${part} upper)
-  list(APPEND with_parts -DWITH_${upper}=${with_${part}})
+  string(TOUPPER ${part} part_in_capitals)
+  list(APPEND options_of_parts -DWITH_${part_in_capitals}=${with_${part}})
 endforeach()
-run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/build ${with_parts}
+run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/build ${options_of_parts}
   -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/build --config Release)
 find_program(consumer consumer PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
 run(${consumer})
-set(cores core)
+set(libraries_without_pcl core)
 if(with_buildings)
   find_program(buildings_consumer buildings_consumer
     PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
   run(${buildings_consumer})
-  list(APPEND cores buildings_core)
+  list(APPEND libraries_without_pcl buildings_core)
 endif()
-foreach(core ${cores})
+foreach(core ${libraries_without_pcl})
   find_program(${core}_consumer ${core}_consumer
     PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
   run(${${core}_consumer})
@@ -91,8 +92,8 @@ if(with_buildings)
   run_by_pkg_config(pcl_ops_buildings buildings_consumer)
 endif()
 
-# Installed programs know the path of their libraries, except where the loader finds them, as for
-# Debian packages.
+# Installed programs hold the path of their libraries (RPATH), unless LOADER_KNOWS: then
+# LD_LIBRARY_PATH stays set.
 if(NOT LOADER_KNOWS)
   set(ENV{LD_LIBRARY_PATH} "")
 endif()

@@ -8,7 +8,8 @@ int
 main ()
 {
   const pcl_ops::PlanarPoints square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const std::size_t corners = pcl_ops::concaveOutline (square).front().size();
+  const pcl_ops::PlanarRings outer_ring_and_holes = pcl_ops::concaveOutline (square);
+  const std::size_t corners = outer_ring_and_holes.front().size();
   std::printf ("%zu corners\n", corners);
   return corners == 4 ? 0 : 1;
 }

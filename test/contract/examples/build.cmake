@@ -13,6 +13,6 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror")
 run(${CMAKE_COMMAND} --build ${BUILD} --parallel 2)
 run(${PREFIX}/bin/pcl_ops_simulate ${ROOM} --organized --quiet)
-# The points of room.pcd have four numbers of four bytes, as those of a scan of KITTI: without
-# its header it is such a scan.
+# The file of a KITTI scan is binary points of four numbers of four bytes each, without a header. The
+# points of room.pcd are of that form: removing the header makes such a file.
 run(sh -c "LC_ALL=C sed '1,/^DATA binary/d' ${ROOM} > ${BUILD}/room.bin")
