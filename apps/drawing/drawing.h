@@ -11,35 +11,39 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Numbers of colors in CAD (AutoCAD Color Index). */
+/** \brief Colors in CAD; the values are their numbers in the AutoCAD Color Index. */
 enum class CadColor { Red = 1, Green = 3, Blue = 5, BlackOrWhite = 7, Gray = 8 };
 
 enum class LineStyle { Solid, Dashed };
 
+/** \brief How the lines and texts of a layer look. */
 struct Layer {
   std::string name;
   CadColor cad_color;
   /** \brief The color in browsers, "#rrggbb". */
   std::string web_color;
-  /** \brief Width of lines on paper [mm]. */
+  /** \brief Width of its lines on paper [mm]. */
   double width;
   LineStyle style = LineStyle::Solid;
 };
 
-/** \brief Corners joined by straight lines, in the unit of the drawing. */
+/** \brief Corners joined by straight lines. */
 struct DrawnLine {
   /** \brief Name of the layer. */
   std::string layer;
+  /** \brief In the unit of the drawing. */
   Ring corners;
+  /** \brief Whether a straight line also joins the last corner to the first one. */
   bool is_closed = false;
 };
 
+/** \brief A horizontal text, centered at a point. */
 struct DrawnText {
   /** \brief Name of the layer. */
   std::string layer;
-  /** \brief Position of its middle. */
+  /** \brief The point at the middle of the text, in the unit of the drawing. */
   Eigen::Vector3d middle;
-  /** \brief In UTF-8, one line. */
+  /** \brief One line in UTF-8. */
   std::string text;
   /** \brief Height of capital letters, in the unit of the drawing. */
   double height;
@@ -54,17 +58,18 @@ struct Drawing {
   std::vector<DrawnText> texts;
 };
 
-/** \return ASCII DXF of AutoCAD 2000 (AC1015), which all programs read, with its unit
- * in $INSUNITS, 6 for meters, 0 for an unknown one. A text is a TEXT; an open line with
- * two corners is a LINE, any other an LWPOLYLINE where all z are 0, else a POLYLINE in
- * space */
+/** \brief Returns a drawing as ASCII DXF of AutoCAD 2000 (AC1015), which all programs
+ * read. $INSUNITS has the unit of the drawing: 6 for meters, 0 for an unknown unit. A
+ * text is a TEXT. An open line with two corners is a LINE; any other line is an
+ * LWPOLYLINE if z of all its corners is 0, else a POLYLINE in space. */
 std::string
 toDxf (const Drawing& drawing);
 
-/** \param[in] drawing in meters; only what is on its layers is drawn
- * \return SVG of the drawing from above, with a scale bar, at the largest usual scale
- * (1:20, 1:50, ... 1:10000) at which its lines fit on A3, or a smaller one if they fit
- * at none */
+/** \brief Returns an SVG of a drawing as seen from above (against z), with a scale bar.
+ * The scale is the largest usual one (1:20, 1:50, ... 1:10000) at which the lines fit
+ * on A3; a smaller one if they fit at no usual scale.
+ * \param[in] drawing in meters; lines and texts of layers that it does not have are left
+ * out */
 std::string
 toSvg (const Drawing& drawing, const std::string& title);
 

@@ -18,7 +18,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns how many bytes follow the first one of a character in UTF-8. */
+/** \brief Returns how many bytes follow the first byte of a character in UTF-8. */
 int
 bytesThatFollow (unsigned char first)
 {
@@ -32,18 +32,19 @@ bytesThatFollow (unsigned char first)
   return first >= first_of_two ? 1 : 0;
 }
 
-/** \brief Returns UTF-8 as ASCII, with other characters as \U+XXXX, which DXF reads,
- * and blanks in place of control characters. */
+/** \brief Returns UTF-8 text as ASCII: characters beyond ASCII become \U+XXXX, as DXF
+ * has them, and control characters become blanks. */
 std::string
 asciiOf (const std::string& text)
 {
   constexpr unsigned char last_ascii = 0x7f;
+  // A byte that follows the first one of a character has six bits of its code.
   constexpr unsigned bits_of_following = 6, mask_of_following = 0x3f;
-  std::string written;
+  std::string ascii;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto first = static_cast<unsigned char> (text[i]);
     if (first <= last_ascii) {
-      written += first < ' ' ? ' ' : text[i];
+      ascii += first < ' ' ? ' ' : text[i];
       continue;
     }
     const int following = bytesThatFollow (first);
@@ -51,19 +52,24 @@ asciiOf (const std::string& text)
     for (int k = 0; k < following && i + 1 < text.size(); ++k)
       code = code << bits_of_following |
              (static_cast<unsigned char> (text[++i]) & mask_of_following);
-    written += str (boost::format ("\\U+%04X") % code);
+    ascii += str (boost::format ("\\U+%04X") % code);
   }
-  return written;
+  return ascii;
 }
 
-// The numbers in this file are group codes: each says what the value behind it is
-// (AutoCAD 2000 DXF reference). The same in all objects: 0 the type, or the begin or
-// end of a section or table, 2 a name, 5 the handle, 8 the layer, 10, 20 and 30 x, y
-// and z, 100 the class that the following codes belong to, 330 the handle of the owner.
-// Others depend on the type, as 40 to 49 (lengths and factors) and 70 to 79 (flags,
-// numbers of elements). Handles are unique hexadecimal numbers.
+// The first argument of `put` is a group code: it says what the value behind it is
+// (AutoCAD 2000 DXF reference). These codes mean the same in all objects:
+//   0           the type of an object, or the beginning or end of a section or table
+//   1, 2        a text, a name
+//   5           the handle of the object, a unique hexadecimal number
+//   8           the layer
+//   10, 20, 30  x, y and z of a point; 11, 21, 31 of a second point
+//   100         the class that the following codes belong to
+//   330         the handle of the owner
+// The meaning of others depends on the type: 40 to 49 are lengths and factors, 70 to 79
+// flags and numbers of elements.
 
-/** \brief Pairs of group code and value, one line each. */
+/** \brief The text of a DXF: group codes and values, each in a line of its own. */
 class DxfText {
 public:
   DxfText()
@@ -73,6 +79,7 @@ public:
     text_ << std::setprecision (digits);
   }
 
+  /** \brief Appends a group code and its value. */
   template <typename Value>
   DxfText&
   put (int code, const Value& value)
@@ -81,29 +88,29 @@ public:
     return *this;
   }
 
-  /** \param[in] code that of x */
+  /** \brief Appends x, y and z of a point.
+   * \param[in] code group code of x */
   DxfText&
   putPoint (int code, const Eigen::Vector3d& point)
   {
-    constexpr int from_x_to_y = 10, from_x_to_z = 20;
-    return put (code, point.x())
-        .put (code + from_x_to_y, point.y())
-        .put (code + from_x_to_z, point.z());
+    const int y_code = code + 10, z_code = code + 20;
+    return put (code, point.x()).put (y_code, point.y()).put (z_code, point.z());
   }
 
   /** \brief Begins an object.
-   * \param[in] owner the handle of its owner
-   * \return the handle of the object */
+   * \param[in] owner handle of the object that owns it
+   * \return the handle of the new object */
   std::string
   beginObject (const char* type, const std::string& owner)
   {
-    const bool has_own_code = std::string (type) == "DIMSTYLE"; // for its handle
+    const int handle_code = std::string (type) == "DIMSTYLE" ? 105 : 5;
     const std::string handle = str (boost::format ("%X") % ++last_handle_);
-    put (0, type).put (has_own_code ? 105 : 5, handle);
+    put (0, type).put (handle_code, handle);
     put (330, owner);
     return handle;
   }
 
+  /** \brief Begins the codes of a class. */
   DxfText&
   putClass (const char* name)
   {
@@ -118,8 +125,8 @@ public:
 
 private:
   std::ostringstream text_;
-  /** \brief The last handle that was given. Those up to the first value are constants
-   * below. */
+  /** \brief The last handle that \ref beginObject gave. Handles up to the initial value
+   * are those of tables and the constants below. */
   unsigned last_handle_ = 0x1f;
 };
 
@@ -150,19 +157,26 @@ unitNumber (double meter)
 {
   struct Unit {
     int number;
-    double meter;
+    double meter; // its length in this unit
   };
-  constexpr double tolerance = 1e-4; // for 3.2808, and for feet of the US survey
-  for (const Unit unit :
-       {Unit{1, 1.0 / 0.0254}, {2, 1.0 / 0.3048}, {4, 1000.0}, {5, 100.0}, {6, 1.0}})
+  constexpr Unit inch = {1, 1.0 / 0.0254}, foot = {2, 1.0 / 0.3048};
+  constexpr Unit millimeter = {4, 1000.0}, centimeter = {5, 100.0},
+                 one_meter = {6, 1.0};
+  // So that 3.2808, and the US survey foot, are taken for feet.
+  constexpr double tolerance = 1e-4;
+  for (const Unit& unit : {inch, foot, millimeter, centimeter, one_meter})
     if (std::abs (meter / unit.meter - 1.0) < tolerance)
       return unit.number;
   return 0;
 }
 
+/** \brief Writes the sections HEADER and, empty, CLASSES.
+ * \param[in] box around the drawing
+ * \param[in] meter as of \ref unitNumber */
 void
-putHeaderSection (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
+putHeaderSections (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
 {
+  // 9 is the name of a variable; its value follows.
   constexpr int metric = 1;
   dxf.put (0, "SECTION").put (2, "HEADER");
   dxf.put (9, "$ACADVER").put (1, "AC1015");
@@ -177,7 +191,7 @@ putHeaderSection (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
 
 /** \brief Writes a table.
  * \param[in] size number of its entries
- * \param[in] put_entries writes them, given the table's handle */
+ * \param[in] put_entries writes the entries, given the handle of the table */
 template <typename PutEntries>
 void
 putTable (const char* name, int size, DxfText& dxf, const PutEntries& put_entries)
@@ -201,8 +215,9 @@ putTable (const char* name, int size, DxfText& dxf, const PutEntries& put_entrie
   dxf.put (0, "ENDTAB");
 }
 
-/** \brief Begins an entry of a table. The codes of its class follow.
- * \param[in] table its handle */
+/** \brief Begins an entry of a table; the caller adds the other codes of its class.
+ * \param[in] name of the entry
+ * \param[in] table handle of the table */
 DxfText&
 putEntry (const char* type,
           const char* class_name,
@@ -219,25 +234,26 @@ putEntry (const char* type,
 void
 putView (const Eigen::AlignedBox3d& box, DxfText& dxf)
 {
-  constexpr double with_margin = 1.1; // height of the view, in heights of the drawing
-  constexpr double aspect = 1.5;      // width of the view, in its heights
-  constexpr double min_height = 1.0;  // [unit of the drawing]
+  constexpr double margin_factor = 1.1; // size of the view by that of the drawing
+  constexpr double aspect = 1.5;        // width of the view by its height
+  constexpr double min_height = 1.0;    // [unit of the drawing]
   const Eigen::Vector3d middle = box.center();
   const Eigen::Vector3d sizes = box.sizes();
   const double height =
-      with_margin * std::max ({sizes.y(), sizes.x() / aspect, min_height});
+      margin_factor * std::max ({sizes.y(), sizes.x() / aspect, min_height});
   putTable ("VPORT", 1, dxf, [&] (const std::string& table) {
     putEntry ("VPORT", "AcDbViewportTableRecord", "*Active", table, dxf);
-    dxf.put (10, 0.0).put (20, 0.0).put (11, 1.0).put (21,
-                                                       1.0); // corners in the window
+    // 10 and 11 lower left and upper right corner in the window (0 to 1), 12 center of
+    // the view, 16 direction to the eye, 17 target, 40 height, 41 aspect
+    dxf.put (10, 0.0).put (20, 0.0).put (11, 1.0).put (21, 1.0);
     dxf.put (12, middle.x()).put (22, middle.y());
-    // The direction to the eye, and the target.
     dxf.putPoint (16, Eigen::Vector3d::UnitZ()).putPoint (17, Eigen::Vector3d::Zero());
     dxf.put (40, height);
     dxf.put (41, aspect);
   });
 }
 
+/** \brief Name of the line type of LineStyle::Dashed. */
 constexpr const char* dashed = "DASHED";
 
 void
@@ -246,8 +262,8 @@ putLineTypes (DxfText& dxf)
   constexpr int alignment = 65;           // the only one there is, the letter A
   constexpr double dash = 0.2, gap = 0.1; // [m]
   putTable ("LTYPE", 4, dxf, [&] (const std::string& table) {
-    // 3 description, 73 number of dashes and gaps, 40 length of all, 49 that of each (a
-    // gap is negative), 74 no symbol in it
+    // 3 description, 72 alignment, 73 number of dashes and gaps, 40 length of all of
+    // them, 49 length of each (that of a gap is negative), 74 no symbol in it
     for (const char* const name : {"ByBlock", "ByLayer", "Continuous"})
       putEntry ("LTYPE", "AcDbLinetypeTableRecord", name, table, dxf)
           .put (3, "")
@@ -269,8 +285,9 @@ putLineTypes (DxfText& dxf)
 void
 putLayers (const std::vector<Layer>& layers, DxfText& dxf)
 {
-  constexpr double hundredths = 100.0; // of a millimeter, the unit of widths
-  std::vector<Layer> all = {{"0", CadColor::BlackOrWhite, "", 0.25}}; // each DXF has it
+  constexpr double hundredths_in_millimeter = 100.0; // DXF has widths in hundredths
+  // Each DXF has a layer called 0.
+  std::vector<Layer> all = {{"0", CadColor::BlackOrWhite, "", 0.25}};
   all.insert (all.end(), layers.begin(), layers.end());
   // 62 color, 6 line type, 370 width of lines
   putTable (
@@ -279,7 +296,7 @@ putLayers (const std::vector<Layer>& layers, DxfText& dxf)
           putEntry ("LAYER", "AcDbLayerTableRecord", layer.name, table, dxf)
               .put (62, static_cast<int> (layer.cad_color))
               .put (6, layer.style == LineStyle::Dashed ? dashed : "Continuous")
-              .put (370, std::lround (hundredths * layer.width));
+              .put (370, std::lround (hundredths_in_millimeter * layer.width));
       });
 }
 
@@ -310,10 +327,10 @@ putOtherTables (DxfText& dxf)
   });
 }
 
-/** \brief A block that has all entities of the model, or of the sheets of paper. */
+/** \brief A block that has all entities of the model, or all of the sheets of paper. */
 struct Space {
   const char* name;
-  /** \brief Handles of the block record, and of the begin and end of the block. */
+  /** \brief Handles of the block record, and of the beginning and end of the block. */
   const char *handle, *begin, *end;
 };
 
@@ -355,8 +372,9 @@ putBlocks (DxfText& dxf)
   dxf.put (0, "ENDSEC");
 }
 
-/** \brief Begins an entity. The codes of its class follow.
- * \return its handle */
+/** \brief Begins an entity; the caller adds the codes of its class.
+ * \param[in] owner handle of the space or entity that owns it
+ * \return the handle of the entity */
 std::string
 putEntity (const char* type,
            const std::string& layer,
@@ -368,6 +386,7 @@ putEntity (const char* type,
   return handle;
 }
 
+/** \brief Writes a line as the entity that \ref toDxf says. */
 void
 putDxfLine (const DrawnLine& line, DxfText& dxf)
 {
@@ -384,7 +403,10 @@ putDxfLine (const DrawnLine& line, DxfText& dxf)
   }
   if (is_flat) {
     putEntity ("LWPOLYLINE", line.layer, dxf);
-    dxf.putClass ("AcDbPolyline").put (90, corners.size()).put (70, closed_flag);
+    constexpr int corner_count_code = 90;
+    dxf.putClass ("AcDbPolyline")
+        .put (corner_count_code, corners.size())
+        .put (70, closed_flag);
     for (const Eigen::Vector3d& corner : corners)
       dxf.put (10, corner.x()).put (20, corner.y());
     return;
@@ -406,17 +428,20 @@ putDxfLine (const DrawnLine& line, DxfText& dxf)
 void
 putText (const DrawnText& text, DxfText& dxf)
 {
+  // 40 height, 72 and 73 alignment
   constexpr int horizontally_centered = 1, vertically_centered = 2;
   putEntity ("TEXT", text.layer, dxf);
   dxf.putClass ("AcDbText").putPoint (10, text.middle).put (40, text.height);
   dxf.put (1, asciiOf (text.text)).put (72, horizontally_centered);
   dxf.putPoint (11, text.middle);
-  // The class is there twice, as in the reference of DXF: 73 is behind the second one.
+  // The class begins twice, as in the reference of DXF: 73 follows the second
+  // beginning.
   dxf.putClass ("AcDbText").put (73, vertically_centered);
 }
 
 /** \brief Writes the dictionaries that AutoCAD requires: the root, and in it an empty
- * one for groups. Codes 3 and 350 are the name and the handle of an entry. */
+ * dictionary for groups. Codes 3 and 350 are the name and the handle of an entry, 281
+ * says which entry stays where two have the same name: the old one. */
 void
 putObjects (DxfText& dxf)
 {
@@ -441,7 +466,7 @@ toDxf (const Drawing& drawing)
 {
   DxfText dxf;
   const Eigen::AlignedBox3d box = boxAround (drawing);
-  putHeaderSection (box, drawing.meter, dxf);
+  putHeaderSections (box, drawing.meter, dxf);
   putTables (drawing, box, dxf);
   putBlocks (dxf);
   dxf.put (0, "SECTION").put (2, "ENTITIES");

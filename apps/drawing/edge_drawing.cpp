@@ -10,6 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/** \brief Returns the GeoJSON feature of an edge. */
 Json
 featureOf (const PlaneEdge& edge)
 {
@@ -25,6 +26,7 @@ featureOf (const PlaneEdge& edge)
         {"angle", toDegrees (edge.angle)}}}};
 }
 
+/** \brief Returns the GeoJSON feature of a corner. */
 Json
 featureOf (const PlaneCorner& corner)
 {
@@ -42,9 +44,10 @@ Drawing
 drawingOf (const PlaneEdges& edges, double meter)
 {
   const char* const layer = "EDGE";
+  constexpr double line_width = 0.25; // on paper [mm]
   Drawing drawing;
   drawing.meter = meter;
-  drawing.layers = {{layer, CadColor::BlackOrWhite, "#000000", 0.25}};
+  drawing.layers = {{layer, CadColor::BlackOrWhite, "#000000", line_width}};
   for (const PlaneEdge& edge : edges.edges)
     drawing.lines.push_back ({layer, {edge.from, edge.to}});
   return drawing;

@@ -17,20 +17,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Names of layers in a drawing, and values of the property "layer" in a map.
 constexpr const char *wall_layer = "WALL", *opening_layer = "OPENING",
                      *room_layer = "ROOM", *unseen_layer = "UNSEEN",
                      *text_layer = "TEXT";
 
 constexpr double millimeters_in_meter = 1000.0;
 
-/** \brief Returns the point of the drawing, which is flat, for a point of the plan. */
+/** \brief Returns a point of a plan as a point of its drawing, in which z is 0. */
 Eigen::Vector3d
-inDrawing (const Eigen::Vector2d& point)
+toDrawing (const Eigen::Vector2d& point)
 {
   return {point.x(), point.y(), 0.0};
 }
 
-/** \brief Returns the height of a room [m], if its floor and its ceiling are known. */
+/** \brief Returns the height of a room [m]; nothing if its floor or its ceiling is not
+ * known. */
 std::optional<double>
 heightOf (const PlanRoom& room)
 {
@@ -42,29 +44,31 @@ heightOf (const PlanRoom& room)
 /** \brief Returns the height [m] of letters that are readable when the whole plan is
  * shown. */
 double
-readableHeight (const FloorPlan& plan)
+readableLetterHeight (const FloorPlan& plan)
 {
   constexpr double min_height = 0.2; // [m]
-  constexpr double share_of_plan = 0.01;
+  constexpr double share_of_diagonal = 0.01;
   Eigen::AlignedBox2d box;
   for (const PlanWall& wall : plan.walls)
     box.extend (wall.from).extend (wall.to);
   if (box.isEmpty())
     return min_height;
-  return std::max (min_height, share_of_plan * box.diagonal().norm());
+  return std::max (min_height, share_of_diagonal * box.diagonal().norm());
 }
 
-/** \brief Adds a room's area and, below it, its height, in letters that fit into it.
- * \param[in] max_height of the letters [m] */
+/** \brief Adds the area of a room and, below it, the height of the room, in letters so
+ * small that the texts fit into the room.
+ * \param[in] max_letter_height [m] */
 void
-addTexts (const PlanRoom& room, double max_height, Drawing& drawing)
+addTexts (const PlanRoom& room, double max_letter_height, Drawing& drawing)
 {
-  constexpr double share_of_width = 0.08; // lines have about ten letters
-  const double room_width = std::sqrt (room.area);
-  const double letter_height = std::min (max_height, share_of_width * room_width);
+  constexpr double share_of_width = 0.08;          // a line has about ten letters
+  const double room_width = std::sqrt (room.area); // as if it were a square
+  const double letter_height =
+      std::min (max_letter_height, share_of_width * room_width);
   std::vector<std::string> lines = {str (boost::format ("%.2f m\u00b2") % room.area)};
-  constexpr double min_enclosed = 0.95; // of a closed room, share of its outline
-  if (room.enclosed < min_enclosed)
+  constexpr double min_enclosed_share = 0.95; // of the outline of a closed room
+  if (room.enclosed < min_enclosed_share)
     lines.front() += ", open";
   if (const std::optional<double> height = heightOf (room))
     lines.push_back (str (boost::format ("h = %.2f m") % *height));
@@ -72,10 +76,11 @@ addTexts (const PlanRoom& room, double max_height, Drawing& drawing)
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double lines_below_middle =
         static_cast<double> (i) - 0.5 * static_cast<double> (lines.size() - 1);
-    // It is subtracted, as y points up in a plan.
-    const Eigen::Vector2d down (0.0, lines_below_middle * line_spacing * letter_height);
+    // In a plan y points up, so lines further down have a smaller y.
+    const Eigen::Vector2d below_middle (
+        0.0, lines_below_middle * line_spacing * letter_height);
     drawing.texts.push_back (
-        {text_layer, inDrawing (room.middle - down), lines[i], letter_height});
+        {text_layer, toDrawing (room.middle - below_middle), lines[i], letter_height});
   }
 }
 
@@ -96,6 +101,8 @@ toCoordinates (const Eigen::Vector2d& point, double meter)
   return {meter * rounded (point.x()), meter * rounded (point.y())};
 }
 
+/** \brief Returns a GeoJSON feature.
+ * \param[in] type of the geometry */
 Json
 toFeature (const char* type, Json coordinates, Json properties)
 {
@@ -104,6 +111,7 @@ toFeature (const char* type, Json coordinates, Json properties)
           {"properties", std::move (properties)}};
 }
 
+/** \brief Returns a length [m], rounded to millimeters; null for none. */
 Json
 lengthOrNull (const std::optional<double>& length)
 {
@@ -112,6 +120,9 @@ lengthOrNull (const std::optional<double>& length)
   return rounded (*length);
 }
 
+/** \brief Returns a wall as its solid parts.
+ * \param[in] number of the wall in the map, its index plus 1
+ * \param[in] ids, meter as of \ref planToGeoJson */
 Json
 wallFeature (const PlanWall& wall,
              std::size_t number,
@@ -152,14 +163,15 @@ numberOrNull (const std::optional<std::size_t>& room)
   return *room + 1;
 }
 
+/** \param[in] wall_number of the wall that has the opening, its index plus 1 */
 Json
-openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
+openingFeature (const PlanOpening& opening, std::size_t wall_number, double meter)
 {
   return toFeature (
       "LineString",
       {toCoordinates (opening.from, meter), toCoordinates (opening.to, meter)},
       {{"layer", opening_layer},
-       {"wall", wall},
+       {"wall", wall_number},
        {"length", rounded (opening.width())},
        {"sill", lengthOrNull (opening.sill)},
        {"head", lengthOrNull (opening.head)},
@@ -168,9 +180,10 @@ openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
        {"behind", numberOrNull (opening.room_behind)}});
 }
 
-/** \brief Returns the parts of a room's outline without a wall. */
+/** \brief Returns the parts of a room's outline without a wall.
+ * \param[in] room_number its index plus 1 */
 Json
-unseenFeature (const PlanRoom& room, std::size_t number, double meter)
+unseenFeature (const PlanRoom& room, std::size_t room_number, double meter)
 {
   Json lines = Json::array();
   double length = 0.0;
@@ -181,9 +194,11 @@ unseenFeature (const PlanRoom& room, std::size_t number, double meter)
   return toFeature (
       "MultiLineString",
       std::move (lines),
-      {{"layer", unseen_layer}, {"room", number}, {"length", rounded (length)}});
+      {{"layer", unseen_layer}, {"room", room_number}, {"length", rounded (length)}});
 }
 
+/** \brief Returns a room as the polygon of its outline and holes.
+ * \param[in] index of the room in the plan */
 Json
 roomFeature (const FloorPlan& plan, std::size_t index, double meter)
 {
@@ -217,29 +232,30 @@ Drawing
 drawingOf (const FloorPlan& plan)
 {
   Drawing drawing;
+  // Name, color in CAD, color in browsers, width of lines [mm].
   drawing.layers = {{room_layer, CadColor::Green, "#7a9a7a", 0.13},
                     {wall_layer, CadColor::BlackOrWhite, "#000000", 0.5},
                     {opening_layer, CadColor::Blue, "#3060c0", 0.18},
                     {unseen_layer, CadColor::Red, "#c03030", 0.25, LineStyle::Dashed},
                     {text_layer, CadColor::Gray, "#404040", 0.18}};
-  const double max_text_height = readableHeight (plan);
+  const double max_letter_height = readableLetterHeight (plan);
   for (const PlanRoom& room : plan.rooms) {
     for (const PlanarPoints& ring : room.rings) {
       DrawnLine outline{room_layer, {}, true};
       for (const Eigen::Vector2d& corner : ring)
-        outline.corners.push_back (inDrawing (corner));
+        outline.corners.push_back (toDrawing (corner));
       drawing.lines.push_back (std::move (outline));
     }
     for (const auto& [from, to] : room.unseen)
-      drawing.lines.push_back ({unseen_layer, {inDrawing (from), inDrawing (to)}});
-    addTexts (room, max_text_height, drawing);
+      drawing.lines.push_back ({unseen_layer, {toDrawing (from), toDrawing (to)}});
+    addTexts (room, max_letter_height, drawing);
   }
   for (const PlanWall& wall : plan.walls) {
     for (const auto& [from, to] : wall.solidParts())
-      drawing.lines.push_back ({wall_layer, {inDrawing (from), inDrawing (to)}});
+      drawing.lines.push_back ({wall_layer, {toDrawing (from), toDrawing (to)}});
     for (const PlanOpening& opening : wall.openings)
       drawing.lines.push_back (
-          {opening_layer, {inDrawing (opening.from), inDrawing (opening.to)}});
+          {opening_layer, {toDrawing (opening.from), toDrawing (opening.to)}});
   }
   return drawing;
 }

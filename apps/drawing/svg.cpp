@@ -22,50 +22,50 @@ constexpr double paper_margin = 10.0; // [mm]
 std::string
 escaped (const std::string& text)
 {
-  std::string written;
+  std::string xml;
   for (const char c : validUtf8 (text))
     switch (c) {
     case '&':
-      written += "&amp;";
+      xml += "&amp;";
       break;
     case '<':
-      written += "&lt;";
+      xml += "&lt;";
       break;
     case '>':
-      written += "&gt;";
+      xml += "&gt;";
       break;
     case '"':
-      written += "&quot;";
+      xml += "&quot;";
       break;
     default:
-      written += static_cast<unsigned char> (c) < ' ' ? ' ' : c;
+      xml += static_cast<unsigned char> (c) < ' ' ? ' ' : c;
     }
-  return written;
+  return xml;
 }
 
-/** \brief Transforms meters to millimeters on paper, where y points down. */
+/** \brief The sheet for a drawing. On paper lengths are in mm, and y points down. */
 struct Paper {
-  /** \brief Around all lines [m]. */
+  /** \brief The bounding box of all lines of the drawing [m]. */
   Eigen::AlignedBox2d box;
-  /** \brief 100 for 1:100. */
+  /** \brief The denominator of the scale: 100 for 1:100. */
   double scale;
 
-  /** \brief Returns the position on paper [mm] of a point [m]. */
+  /** \brief Returns the position on paper [mm] of a point of the drawing [m]. */
   Eigen::Vector2d
-  at (const Eigen::Vector3d& point) const
+  onPaper (const Eigen::Vector3d& point) const
   {
     const double factor = millimeters_of_meter / scale;
     return {paper_margin + factor * (point.x() - box.min().x()),
             paper_margin + factor * (box.max().y() - point.y())};
   }
 
-  /** \brief Returns width and height [mm]. */
+  /** \brief Returns width and height of the paper [mm]. */
   Eigen::Vector2d
   size () const
   {
-    constexpr double foot = 12.0; // for the scale bar [mm]
+    constexpr double scale_bar_height = 12.0; // with the space above it [mm]
     return (millimeters_of_meter / scale * box.sizes()).array() + 2.0 * paper_margin +
-           Eigen::Array2d (0.0, foot);
+           Eigen::Array2d (0.0, scale_bar_height);
   }
 };
 
@@ -80,9 +80,9 @@ paperFor (const Drawing& drawing)
       box.extend (corner.head<2>().eval());
   if (box.isEmpty())
     box = {Eigen::Vector2d (0, 0), Eigen::Vector2d (1, 1)};
-  // A3, 420 x 297, without the margin, the foot, and the edge that printers leave white
-  // [mm].
-  constexpr double max_width = 380.0, max_height = 250.0;
+  // What is free for the drawing on A3, 420 mm x 297 mm, without the margins, the scale
+  // bar, and the border that printers leave white.
+  constexpr double max_width = 380.0, max_height = 250.0; // [mm]
   const Eigen::Vector2d sizes = millimeters_of_meter * box.sizes();
   const double min_scale = std::max (sizes.x() / max_width, sizes.y() / max_height);
   const double usual_scales[] = {20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000};
@@ -91,17 +91,18 @@ paperFor (const Drawing& drawing)
   return {box, scale == std::end (usual_scales) ? std::ceil (min_scale) : *scale};
 }
 
-/** \brief Writes a scale bar with its length, 1, 2 or 5 times a power of ten [m]. */
+/** \brief Writes a scale bar with its length and the scale. The length is 1, 2 or 5
+ * times a power of ten [m]. */
 void
 putScaleBar (const Paper& paper, std::ostream& svg)
 {
   constexpr double max_width = 50.0; // on paper [mm]
-  constexpr double tick = 1.5;       // height of the ends [mm]
-  constexpr double gap = 3.0;        // in front of the text [mm]
-  const double longest = max_width * paper.scale / millimeters_of_meter;
-  double length = std::pow (10.0, std::floor (std::log10 (longest)));
+  constexpr double tick = 1.5;       // height of the bar's ends [mm]
+  constexpr double gap = 3.0;        // between the bar and its text [mm]
+  const double max_length = max_width * paper.scale / millimeters_of_meter; // [m]
+  double length = std::pow (10.0, std::floor (std::log10 (max_length)));
   for (const double factor : {5.0, 2.0})
-    if (factor * length <= longest) {
+    if (factor * length <= max_length) {
       length *= factor;
       break;
     }
@@ -122,25 +123,25 @@ putSvgLine (const DrawnLine& line,
 {
   svg << "<path d=\"";
   for (std::size_t i = 0; i < line.corners.size(); ++i) {
-    const Eigen::Vector2d corner = paper.at (line.corners[i]);
+    const Eigen::Vector2d corner = paper.onPaper (line.corners[i]);
     svg << (i == 0 ? 'M' : 'L') << corner.x() << ' ' << corner.y();
   }
   svg << (line.is_closed ? "Z" : "") << "\" stroke=\"" << layer.web_color
       << "\" stroke-width=\"" << layer.width << "\"/>\n";
 }
 
-/** \brief Writes a text centered at its position. */
+/** \brief Writes a text, centered at DrawnText::middle. */
 void
 putSvgText (const DrawnText& text,
             const Layer& layer,
             const Paper& paper,
             std::ostream& svg)
 {
-  constexpr double size_of_font = 1.4; // in heights of its capital letters
-  const Eigen::Vector2d middle = paper.at (text.middle);
-  const double height = text.height * millimeters_of_meter / paper.scale;
+  constexpr double font_size_by_height = 1.4; // height of capital letters
+  const Eigen::Vector2d middle = paper.onPaper (text.middle);
+  const double height = text.height * millimeters_of_meter / paper.scale; // [mm]
   svg << "<text x=\"" << middle.x() << "\" y=\"" << middle.y() + 0.5 * height
-      << "\" font-size=\"" << size_of_font * height
+      << "\" font-size=\"" << font_size_by_height * height
       << "\" text-anchor=\"middle\" fill=\"" << layer.web_color << "\">"
       << escaped (text.text) << "</text>\n";
 }
@@ -153,7 +154,7 @@ toSvg (const Drawing& drawing, const std::string& title)
   const Paper paper = paperFor (drawing);
   std::ostringstream svg;
   svg.imbue (std::locale::classic());
-  constexpr int digits = 7;
+  constexpr int digits = 7; // of each number
   svg << std::setprecision (digits);
   const Eigen::Vector2d size = paper.size();
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << size.x()

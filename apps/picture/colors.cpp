@@ -14,27 +14,29 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief PCL's distinct colors without grayish ones, as gray means no plane. */
+/** \brief Returns PCL's distinct colors without grayish ones, as gray means no plane.
+ */
 std::vector<pcl::RGB>
 palette ()
 {
-  constexpr int min_chroma = 50; // largest minus smallest part of a color, of 255
+  // The largest minus the smallest of red, green and blue, which are 0 to 255.
+  constexpr int min_chroma = 50;
   std::vector<pcl::RGB> colors;
   for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
     const pcl::RGB color = pcl::GlasbeyLUT::at (i);
-    const auto [darkest, brightest] = std::minmax ({color.r, color.g, color.b});
-    if (brightest - darkest >= min_chroma)
+    const auto [smallest, largest] = std::minmax ({color.r, color.g, color.b});
+    if (largest - smallest >= min_chroma)
       colors.push_back (color);
   }
   return colors;
 }
 
-/** \brief Returns the largest 1, 2 or 5 times a power of ten that is not above a
- * number, but for rounding. */
+/** \brief Returns the largest number that is 1, 2 or 5 times a power of ten and not
+ * above \p number, except for rounding. */
 double
-roundBelow (double number)
+roundedDown (double number)
 {
-  constexpr double rounding = 1e-6; // as a share of the number
+  constexpr double rounding = 1e-6; // relative to the number
   const double bound = number * (1.0 + rounding);
   const double power = std::pow (10.0, std::floor (std::log10 (bound)));
   for (const double factor : {5.0, 2.0})
@@ -72,7 +74,7 @@ colorOf (Orientation orientation)
 
 ColorScale::ColorScale (const std::vector<float>& values)
 {
-  constexpr double share_beyond_end = 0.02;
+  constexpr double share_beyond_end = 0.02; // of the values, at each end
   std::vector<float> sorted;
   std::copy_if (values.begin(),
                 values.end(),
@@ -81,11 +83,12 @@ ColorScale::ColorScale (const std::vector<float>& values)
   if (sorted.empty())
     return;
   std::sort (sorted.begin(), sorted.end());
-  const auto last = static_cast<double> (sorted.size() - 1);
-  const float low = sorted[std::size_t (share_beyond_end * last)];
-  const float high = sorted[std::size_t ((1.0 - share_beyond_end) * last)];
-  smallest = roundBelow (low);
-  largest = 1.0 / roundBelow (1.0 / double (high)); // rounds up
+  const auto last_index = static_cast<double> (sorted.size() - 1);
+  const float low = sorted[std::size_t (share_beyond_end * last_index)];
+  const float high = sorted[std::size_t ((1.0 - share_beyond_end) * last_index)];
+  smallest = roundedDown (low);
+  // To round the inverse down rounds the number up.
+  largest = 1.0 / roundedDown (1.0 / double (high));
 }
 
 pcl::RGB
@@ -101,10 +104,11 @@ ColorScale::operator() (float value) const
 }
 
 pcl::RGB
-ColorScale::at (float share)
+ColorScale::at (float position)
 {
-  constexpr float last = 255.0f;
-  return pcl::ViridisLUT::at (std::size_t (last * std::clamp (share, 0.0f, 1.0f)));
+  constexpr float last_index = 255.0f;
+  return pcl::ViridisLUT::at (
+      std::size_t (last_index * std::clamp (position, 0.0f, 1.0f)));
 }
 
 void

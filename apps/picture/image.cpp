@@ -30,28 +30,33 @@ white ()
   return {255, 255, 255};
 }
 
-/** \brief Side of a dot of a letter [pixel]; other lengths are multiples of it. */
+/** \brief Side of a dot, of which letters are made [pixel]. */
 constexpr int dot = 3;
 
-/** \brief Size of letters [dots], and their distance from one to the next. */
-constexpr int letter_columns = 3, letter_rows = 5, letter_step = letter_columns + 1;
+/** \brief Width and height of a letter [dots]. */
+constexpr int letter_columns = 3, letter_rows = 5;
+
+/** \brief Distance from the left end of a letter to that of the next one [dots]. */
+constexpr int letter_step = letter_columns + 1;
 
 /** \brief The letters that can be written. */
 constexpr std::string_view letters = "0125.ACEHILNOPRTVZ";
 
-/** \brief The rows of all these letters, one after the other: an octal digit for each
- * row, from the top; its bits are the dots, the highest one left. */
+/** \brief The five rows of dots of each of these letters, from the top, one letter
+ * after the other. An octal digit is a row; its three bits are the dots, the highest
+ * bit is the left dot. */
 constexpr std::string_view rows_of_letters =
     "755572622771747747170000225755344437464755755722274444765555255526564465655"
     "722225555271247";
 
-/** \brief Around maps and color scales [pixel]. */
+/** \brief Free space around maps, scale bars and color scales [pixel]. */
 constexpr int margin = 12;
 
-/** \brief Transforms x and y of the map to columns and rows of the image. */
+/** \brief Transforms x and y of a map to columns and rows of the left half of an image.
+ */
 struct MapScale {
-  /** \brief The largest scale at which all shapes fit into half an image, without its
-   * legend and margins. */
+  /** \brief Sets the largest scale at which all shapes fit into half an image, except
+   * for its legend and margins. */
   explicit MapScale (const std::vector<MapShape>& shapes)
   {
     Eigen::AlignedBox2d box;
@@ -61,13 +66,14 @@ struct MapScale {
           box.extend (corner.head<2>());
     if (box.isEmpty())
       return;
-    const Eigen::Array2d room (Image::half_width - 2 * margin,
-                               Image::height - Image::legend_height - 2 * margin);
-    const double fitting = (room / box.sizes().array()).minCoeff();
+    const Eigen::Array2d free_space (Image::half_width - 2 * margin,
+                                     Image::height - Image::legend_height - 2 * margin);
+    const double fitting = (free_space / box.sizes().array()).minCoeff();
     pixels_per_unit = std::isfinite (fitting) ? fitting : 1.0;
     upper_left = {box.min().x(), box.max().y()};
   }
 
+  /** \brief Returns the column and the row of a corner. */
   Eigen::Vector2d
   pixel (const Eigen::Vector3d& corner) const
   {
@@ -76,18 +82,21 @@ struct MapScale {
   }
 
   double pixels_per_unit = 1.0;
-  /** \brief Corner of the map, in its unit. */
+  /** \brief Smallest x and largest y of all shapes. */
   Eigen::Vector2d upper_left = Eigen::Vector2d::Zero();
 };
 
-/** \brief Where the rings of a shape cross the middle of rows: columns by row. */
+/** \brief By row of the image: the columns at which the rings of a shape cross the
+ * horizontal line through the middle of the row. */
 using Crossings = std::map<int, std::vector<double>>;
 
 Crossings
 crossingsOf (const MapShape& shape, const MapScale& scale)
 {
-  // The first row whose middle is not above y.
-  const auto row_of = [] (double y) { return static_cast<int> (std::ceil (y - 0.5)); };
+  // The first row whose middle is at or below y.
+  const auto first_row_from = [] (double y) {
+    return static_cast<int> (std::ceil (y - 0.5));
+  };
   Crossings crossings;
   for (const auto& ring : shape.rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -95,15 +104,15 @@ crossingsOf (const MapShape& shape, const MapScale& scale)
       Eigen::Vector2d b = scale.pixel (ring[(i + 1) % ring.size()]);
       if (a.y() > b.y())
         a.swap (b);
-      for (int row = row_of (a.y()); row < row_of (b.y()); ++row)
+      for (int row = first_row_from (a.y()); row < first_row_from (b.y()); ++row)
         crossings[row].push_back (a.x() + (row + 0.5 - a.y()) / (b.y() - a.y()) *
                                               (b.x() - a.x()));
     }
   return crossings;
 }
 
-/** \brief Fills all rings of a shape together, row by row, by the even-odd rule, in
- * both halves. */
+/** \brief Fills a shape in both halves: row by row what is inside an odd number of its
+ * rings. */
 void
 draw (const MapShape& shape, const MapScale& scale, Image& image)
 {
@@ -112,8 +121,8 @@ draw (const MapShape& shape, const MapScale& scale, Image& image)
     std::sort (columns.begin(), columns.end());
     for (std::size_t i = 0; i + 1 < columns.size(); i += 2) {
       const int left = int (columns[i]);
-      const int right =
-          std::max (left + 1, int (columns[i + 1])); // walls are seen, too
+      // At least one pixel, so that walls are seen from above.
+      const int right = std::max (left + 1, int (columns[i + 1]));
       image.fill (left, row, right, row + 1, colorOfLabel (shape.id));
       image.fill (left + to_right_half,
                   row,
@@ -137,16 +146,16 @@ roundText (double number)
   return text.str();
 }
 
-/** \brief Draws a scale bar: 1, 2 or 5 times a power of ten, at most a third of the
- * width of the map. */
+/** \brief Draws a scale bar whose length is 1, 2 or 5 times a power of ten, and in the
+ * image at most a third of the left half. */
 void
 addScaleBar (const MapScale& scale, Image& image)
 {
-  const double longest = Image::half_width / 3.0 / scale.pixels_per_unit;
-  const double power = std::pow (10.0, std::floor (std::log10 (longest)));
+  const double max_length = Image::half_width / 3.0 / scale.pixels_per_unit;
+  const double power = std::pow (10.0, std::floor (std::log10 (max_length)));
   double length = power;
   for (const double factor : {2.0, 5.0})
-    if (factor * power <= longest)
+    if (factor * power <= max_length)
       length = factor * power;
   constexpr int bar_height = 6;
   constexpr int top = Image::height - 3 * margin;
@@ -197,8 +206,8 @@ void
 Image::addLegend (int lines)
 {
   constexpr int line_height = 8 * dot;
-  constexpr int box = letter_rows * dot; // side of the square with the color
-  constexpr int text_width = 11 * letter_step * dot; // of HORIZONTAL and a blank
+  constexpr int box_side = letter_rows * dot;        // of the square with the color
+  constexpr int text_width = 11 * letter_step * dot; // 11 letters: HORIZONTAL, a blank
   struct Entry {
     const char* text;
     pcl::RGB color;
@@ -208,11 +217,11 @@ Image::addLegend (int lines)
                            {"OTHER", colorOf (Orientation::Other)},
                            {"NO PLANE", colorOfLabel (0)}};
   const int left = half_width + gap;
-  const int text_left = left + box + 3 * dot;
+  const int text_left = left + box_side + 3 * dot;
   fill (left, height - legend_height, text_left + text_width, height, white());
   int top = height - lines * line_height;
   for (int i = 0; i < lines; ++i, top += line_height) {
-    fill (left + dot, top, left + dot + box, top + box, entries[i].color);
+    fill (left + dot, top, left + dot + box_side, top + box_side, entries[i].color);
     write (text_left, top, entries[i].text);
   }
 }
@@ -223,20 +232,20 @@ Image::addLegend (const ColorScale& scale)
   constexpr int letter_width = letter_step * dot;
   constexpr int bar_height = letter_rows * dot;
   constexpr int bar_width = 256;
-  const std::string from = roundText (scale.smallest);
-  const std::string to = roundText (scale.largest);
+  const std::string smallest = roundText (scale.smallest);
+  const std::string largest = roundText (scale.largest);
   const int top = height - bar_height - margin;
-  const int bar_left = 2 * margin + letter_width * int (from.size());
-  const int to_left = bar_left + bar_width + margin;
-  const int right = to_left + letter_width * int (to.size());
+  const int bar_left = 2 * margin + letter_width * int (smallest.size());
+  const int largest_left = bar_left + bar_width + margin;
+  const int right = largest_left + letter_width * int (largest.size());
   fill (0, top - margin, right + margin, height, white());
-  write (margin, top, from);
+  write (margin, top, smallest);
   for (int i = 0; i < bar_width; ++i) {
     const int left = bar_left + i;
     const pcl::RGB color = ColorScale::at (float (i) / bar_width);
     fill (left, top, left + 1, top + bar_height, color);
   }
-  write (to_left, top, to);
+  write (largest_left, top, largest);
 }
 
 void
@@ -249,10 +258,10 @@ savePng (const std::string& file, const Image& image, int columns)
   header.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX (header);
   std::string png (size, '\0');
-  constexpr int to_8_bit = 0;
+  constexpr int keep_8_bits = 0;               // 1 would convert 16 bits per color
   constexpr int row_stride = 3 * Image::width; // [bytes]
   const int succeeded = png_image_write_to_memory (
-      &header, png.data(), &size, to_8_bit, image.bytes.data(), row_stride, nullptr);
+      &header, png.data(), &size, keep_8_bits, image.bytes.data(), row_stride, nullptr);
   if (succeeded == 0)
     throw WorkError (
         file, std::string ("cannot be drawn (") + header.message + "); leave it out");

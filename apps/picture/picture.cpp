@@ -17,63 +17,69 @@ namespace {
 
 constexpr float infinitely_far = std::numeric_limits<float>::infinity();
 
-/** \brief Side of the square parts of the image whose dots are counted [pixel]. */
-constexpr int part_side = 16;
+/** \brief Side of a block [pixel]. The image is divided into square blocks, in which
+ * dots are counted. */
+constexpr int block_side = 16;
 
-/** \brief A point of the cloud, where it is in the image. */
+/** \brief A point of the cloud in the image. */
 struct Dot {
+  /** \brief Index of the point in the cloud. */
   pcl::index_t point;
-  /** \brief [pixel] */
+  /** \brief Where it is in the image [pixel]. */
   float column, row;
+  /** \brief Distance along the viewing direction [unit of the cloud]. */
   float depth;
 };
 
-/** \brief Returns half the side of the dots [pixel] with which \p dots_in_part dots
- * cover a part of the image twice. */
+/** \brief Returns half the side of a dot [pixel] for which the areas of all dots of a
+ * block add up to twice the area of the block. */
 float
-halfSideOf (float dots_in_part)
+halfSideOf (float dots_in_block)
 {
   constexpr float root_of_two = 1.4f; // roughly
-  const float pixels_per_dot = part_side * part_side / std::max (dots_in_part, 1.0f);
+  const float pixels_per_dot = block_side * block_side / std::max (dots_in_block, 1.0f);
   return root_of_two * std::sqrt (pixels_per_dot) / 2.0f;
 }
 
-/** \brief Returns half the side of each dot [pixel]: the fewer dots of the front layer
- * are in its part of the image, the larger it is. */
+/** \brief Returns half the side of each dot [pixel]. A dot is the larger, the fewer
+ * dots its block has in front: only those count that are hardly farther than the
+ * nearest one.
+ * \param[in] width, height of the image [pixel] */
 std::vector<float>
 halfSidesOf (const std::vector<Dot>& dots, int width, int height)
 {
-  constexpr float front_layer = 1.1f;   // its farthest depth, in units of the nearest
-  constexpr float min_half_side = 0.5f; // [pixel]
-  constexpr float max_half_side = 5.0f;
-  const int columns = width / part_side + 1;
-  const int rows = height / part_side + 1;
+  constexpr float max_depth_by_nearest = 1.1f;                // of the dots that count
+  constexpr float min_half_side = 0.5f, max_half_side = 5.0f; // [pixel]
+  const int columns = width / block_side + 1;
+  const int rows = height / block_side + 1;
   Eigen::ArrayXXf nearest = Eigen::ArrayXXf::Constant (columns, rows, infinitely_far);
   Eigen::ArrayXXi counts = Eigen::ArrayXXi::Zero (columns, rows);
-  const auto in_part = [](auto& parts, const Dot& dot) -> auto&
+  // Returns the element for the block of a dot in an array over all blocks.
+  const auto in_block_of = [](auto& blocks, const Dot& dot) -> auto&
   {
-    return parts (static_cast<int> (dot.column) / part_side,
-                  static_cast<int> (dot.row) / part_side);
+    return blocks (static_cast<int> (dot.column) / block_side,
+                   static_cast<int> (dot.row) / block_side);
   };
   for (const Dot& dot : dots)
-    in_part (nearest, dot) = std::min (in_part (nearest, dot), dot.depth);
+    in_block_of (nearest, dot) = std::min (in_block_of (nearest, dot), dot.depth);
   for (const Dot& dot : dots)
-    if (dot.depth <= front_layer * in_part (nearest, dot))
-      ++in_part (counts, dot);
-  const auto parts_with_dots = std::max<Eigen::Index> (1, (counts != 0).count());
-  const float mean =
-      static_cast<float> (counts.sum()) / static_cast<float> (parts_with_dots);
+    if (dot.depth <= max_depth_by_nearest * in_block_of (nearest, dot))
+      ++in_block_of (counts, dot);
+  const auto blocks_with_dots = std::max<Eigen::Index> (1, (counts != 0).count());
+  const float mean_count =
+      static_cast<float> (counts.sum()) / static_cast<float> (blocks_with_dots);
   // At most twice as large as for the mean number of dots.
   const float bound =
-      std::clamp (2.0f * halfSideOf (mean), min_half_side, max_half_side);
+      std::clamp (2.0f * halfSideOf (mean_count), min_half_side, max_half_side);
   std::vector<float> half_sides;
   for (const Dot& dot : dots) {
-    const auto count = static_cast<float> (in_part (counts, dot));
+    const auto count = static_cast<float> (in_block_of (counts, dot));
     half_sides.push_back (std::clamp (halfSideOf (count), min_half_side, bound));
   }
   return half_sides;
 }
 
+/** \brief Sets the pixels of a dot at which no nearer dot is drawn. */
 void
 drawDot (const Dot& dot, float half_side, Raster& raster)
 {
@@ -94,7 +100,7 @@ drawDot (const Dot& dot, float half_side, Raster& raster)
       }
 }
 
-/** \brief Visits every pixel inside the border. */
+/** \brief Calls \p visit (column, row) for every pixel that has eight neighbors. */
 template <typename Visit>
 void
 forEachInnerPixel (const Raster& raster, Visit&& visit)
@@ -104,18 +110,18 @@ forEachInnerPixel (const Raster& raster, Visit&& visit)
       visit (column, row);
 }
 
-/** \brief Fills an empty pixel with the neighbor of least depth, if at least five of
- * its eight neighbors are not empty. */
+/** \brief If five or more of the eight neighbors of an empty pixel are not empty, fills
+ * the pixel with the neighbor of least depth. */
 void
 closeHoles (Raster& raster)
 {
-  constexpr int min_filled = 5; // neighbors
+  constexpr int min_filled_neighbors = 5;
   const Raster before = raster;
   forEachInnerPixel (before, [&] (Eigen::Index column, Eigen::Index row) {
     if (before.points (column, row) != Raster::nothing)
       return;
     const auto points = before.points.block<3, 3> (column - 1, row - 1);
-    if ((points != Raster::nothing).count() < min_filled)
+    if ((points != Raster::nothing).count() < min_filled_neighbors)
       return;
     const auto depths = before.depths.block<3, 3> (column - 1, row - 1);
     Eigen::Index nearest_column;
@@ -125,12 +131,12 @@ closeHoles (Raster& raster)
   });
 }
 
-/** \brief Returns the brightness of a plane at a point: 1 seen from the front, less at
- * a grazing angle. */
+/** \brief Returns the brightness of a plane at a point: 1 if the eye looks along the
+ * normal, less at a grazing angle. */
 float
 brightnessOf (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& point)
 {
-  constexpr float at_grazing_angle = 0.7f;
+  constexpr float at_grazing_angle = 0.7f; // the least brightness
   const Eigen::Vector3f ray = (point - view.eye).normalized();
   const float cosine = std::abs (plane.normal.cast<float>().dot (ray));
   return at_grazing_angle + (1.0f - at_grazing_angle) * cosine;
@@ -143,7 +149,7 @@ Eigen::ArrayXXf
 shadeDepths (const Raster& raster)
 {
   constexpr float strength = 6.0f;
-  constexpr float max_step = 0.05f; // of log depth; larger ones darken no more
+  constexpr float max_step = 0.05f; // of the log of depth; larger ones darken no more
   Eigen::ArrayXXf brightness =
       Eigen::ArrayXXf::Ones (raster.depths.rows(), raster.depths.cols());
   forEachInnerPixel (raster, [&] (Eigen::Index column, Eigen::Index row) {

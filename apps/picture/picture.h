@@ -17,20 +17,23 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The point that each pixel of an image shows, and its depth. Columns of the
- * image are rows of these arrays: points (column, row). */
+/** \brief The point that each pixel of an image shows, and its depth. The arrays are
+ * indexed by the column and then by the row of the image: points (column, row). */
 struct Raster {
   static constexpr pcl::index_t nothing = -1;
 
   /** \brief Index of the point in the cloud; \ref nothing where no point is seen. */
   Eigen::Array<pcl::index_t, Eigen::Dynamic, Eigen::Dynamic> points;
-  /** \brief Along the viewing direction; infinite where no point is seen. */
+  /** \brief Distance along the viewing direction [unit of the cloud]; infinite where no
+   * point is seen. */
   Eigen::ArrayXXf depths;
 };
 
 /** \brief Draws points as squares, roughly as large as is needed to close the gaps
- * between them, the nearest in front. Non-finite points are not drawn.
- * \param[in] width, height of the image [pixel] */
+ * between them, nearer ones over farther ones. Points that are not finite are not
+ * drawn.
+ * \param[in] width, height of the image [pixel]
+ * \param[in] is_shown whether to draw the point with an index */
 Raster
 drawPoints (const XyzCloud& cloud,
             const View& view,
@@ -38,20 +41,22 @@ drawPoints (const XyzCloud& cloud,
             int height,
             const std::function<bool (pcl::index_t point)>& is_shown);
 
-/** \brief A cloud as \ref savePicture shows it, to be drawn in any colors. */
+/** \brief A cloud in the view that \ref savePicture chooses, to be drawn in any colors.
+ */
 class CloudPicture {
 public:
-  /** \param[in] labels per point: 0 for no plane, else its index in \p planes plus 1
-   * \param[in] planes their points are left out where they are seen from behind, if
-   * View::hides_backs says so
+  /** \param[in] labels for each point: 0 for no plane, else the index of its plane in
+   * \p planes plus 1
+   * \param[in] planes of the cloud; those that are seen from behind are not drawn if
+   * View::hides_backs is true
    * \param[in] up direction against gravity */
   CloudPicture (const XyzCloud& cloud,
                 const std::vector<std::uint32_t>& labels,
                 const std::vector<PlaneSegment>& planes,
                 const Eigen::Vector3f& up);
 
-  /** \brief Visits the pixels that show a point.
-   * \param[in] visit (column, row, point, brightness) */
+  /** \brief Calls \p visit (column, row, index of the point, brightness from 0 to 1)
+   * for each pixel that shows a point. */
   template <typename Visit>
   void
   forEachPixel (Visit&& visit) const
@@ -70,8 +75,8 @@ public:
   }
 
   /** \brief Writes a PNG of a single picture in exactly these colors, without shading.
-   * \param[in] colors per point
-   * \param[in] scale what the colors mean; nullptr: no legend */
+   * \param[in] colors one for each point
+   * \param[in] scale the color scale for the legend; nullptr: no legend */
   void
   save (const std::string& file,
         const std::vector<pcl::RGB>& colors,
@@ -80,15 +85,17 @@ public:
 private:
   View view_;
   Raster raster_;
-  /** \brief Of each pixel, 0 to 1, by column and row. */
+  /** \brief Brightness of each pixel, 0 to 1, indexed as \ref Raster. */
   Eigen::ArrayXXf brightness_;
 };
 
-/** \brief Writes a PNG with two pictures of a cloud (\ref chooseView): left each plane
- * in its own color, right in that of its orientation, with a legend; gray for no plane.
- * \param[in] labels per point: 0 for no plane, else its index in \p planes plus 1
+/** \brief Writes a PNG with two pictures of a cloud in the view of \ref chooseView:
+ * left each plane has its own color, right the color of its orientation, with a legend.
+ * Points on no plane are gray.
+ * \param[in] labels for each point: 0 for no plane, else the index of its plane in \p
+ * planes plus 1
  * \param[in] up direction against gravity
- * \param[in] ids of the planes, which decide on their colors; empty: 1, 2, ... */
+ * \param[in] ids of the planes, which decide on their own colors; empty: 1, 2, ... */
 void
 savePicture (const std::string& file,
              const XyzCloud& cloud,

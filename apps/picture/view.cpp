@@ -15,16 +15,17 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-/** \brief Share of points at either end of an axis that the fit of a view ignores. */
+/** \brief Share of the points at each end of each axis that \ref boxOf leaves out. */
 constexpr double outlier_share = 0.005;
 
-/** \brief About the most points a view is fitted to; more would not change it. */
-constexpr std::size_t wanted_points = 20000;
+/** \brief The most points to which a view is fitted; more would hardly change it. */
+constexpr std::size_t max_points = 20000;
 
+/** \brief Returns a sample of the finite points. */
 Points
 someFinitePoints (const XyzCloud& cloud)
 {
-  const std::size_t step = cloud.size() / wanted_points + 1;
+  const std::size_t step = cloud.size() / max_points + 1;
   Points points;
   for (std::size_t i = 0; i < cloud.size(); i += step)
     if (pcl::isXYZFinite (cloud[i]))
@@ -32,10 +33,11 @@ someFinitePoints (const XyzCloud& cloud)
   return points;
 }
 
+/** \brief Returns a sample of the inliers of all planes. */
 Points
 somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
 {
-  const std::size_t step = cloud.size() / wanted_points + 1;
+  const std::size_t step = cloud.size() / max_points + 1;
   Points points;
   for (const PlaneSegment& plane : planes)
     for (std::size_t i = 0; i < plane.inliers.size(); i += step)
@@ -43,7 +45,7 @@ somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
   return points;
 }
 
-/** \brief Returns a box around all points but outliers. */
+/** \brief Returns a box around all points but outliers (\ref outlier_share). */
 template <typename Vector>
 Eigen::AlignedBox<float, Vector::SizeAtCompileTime>
 boxOf (const std::vector<Vector>& points)
@@ -63,18 +65,20 @@ axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
   return axes;
 }
 
-/** \brief A cone from the eye around nearly all points. */
+/** \brief A cone whose tip is the eye. */
 struct Cone {
-  /** \brief Mean direction to the points. */
+  /** \brief Unit vector from the eye. */
   Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
-  /** \brief Between the axis and the surface [rad]. */
+  /** \brief Angle between the axis and the surface [rad]. */
   float half_angle = 0.0f;
 };
 
+/** \brief Returns the cone around 98 % of the points whose axis is the mean direction
+ * to all points. */
 Cone
 coneOf (const Points& points, const Eigen::Vector3f& eye)
 {
-  constexpr double nearly_all = 0.98;
+  constexpr double share_inside = 0.98; // of the points
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const Eigen::Vector3f& point : points)
     sum += (point - eye).normalized();
@@ -85,14 +89,18 @@ coneOf (const Points& points, const Eigen::Vector3f& eye)
     const float cosine = (point - eye).normalized().dot (cone.axis);
     angles.push_back (std::acos (std::clamp (cosine, -1.0f, 1.0f)));
   }
-  cone.half_angle = quantile (angles, nearly_all);
+  cone.half_angle = quantile (angles, share_inside);
   return cone;
 }
 
 /** \brief Returns the direction that is down in the image of a sensor that looks along
- * \p forward: its y axis if it looks roughly along its z axis, as a camera does,
- * reversed for -z; else along gravity, or any perpendicular direction if it looks
- * almost straight up or down. */
+ * \p forward:
+ * - its y axis if it looks roughly along its z axis, as a camera does; the reverse of
+ * its y axis if it looks roughly against its z axis;
+ * - else the direction of gravity, or, if it looks almost straight up or down, any
+ *   direction perpendicular to \p forward.
+ * \param[in] orientation of the sensor
+ * \param[in] up unit vector against gravity */
 Eigen::Vector3f
 downOf (const Eigen::Quaternionf& orientation,
         const Eigen::Vector3f& forward,
@@ -109,8 +117,8 @@ downOf (const Eigen::Quaternionf& orientation,
   return forward.unitOrthogonal();
 }
 
-/** \param[in] elevation of the eye above the horizontal [rad]
- * \return unit vector to the eye that sees the planes' fronts best */
+/** \brief Returns the unit vector to an eye that sees the fronts of planes best.
+ * \param[in] elevation angle of this vector above the horizontal [rad] */
 Eigen::Vector3f
 bestSlant (const std::vector<PlaneSegment>& planes,
            const Eigen::Vector3f& up,
@@ -119,7 +127,9 @@ bestSlant (const std::vector<PlaneSegment>& planes,
   constexpr int directions = 24;
   const Eigen::Vector3f side = up.unitOrthogonal();
   Eigen::Vector3f best = up;
-  double most_seen = -1.0; // number of points on fronts, times the cosine to the eye
+  // Sums over planes seen from the front: number of inliers times the cosine of the
+  // angle between the normal and the direction to the eye.
+  double most_seen = -1.0;
   for (int i = 0; i < directions; ++i) {
     const float azimuth = pcl::deg2rad (360.0f) * static_cast<float> (i) / directions;
     const Eigen::Vector3f level = Eigen::AngleAxisf (azimuth, up) * side;
@@ -138,8 +148,9 @@ bestSlant (const std::vector<PlaneSegment>& planes,
 }
 
 /** \brief Whether most of the points on planes are on planes that the eye sees from
- * behind. Centroids of planes may be in another frame than the cloud and the eye, as
- * those of a cloud near zero are in map coordinates; points are not. */
+ * behind. It takes a point of the cloud for the position of a plane, as the centroid
+ * may be in another frame, that of the file, while cloud and eye are in the frame of
+ * ShiftedCloud::cloud. */
 bool
 seesMostlyBacks (const XyzCloud& cloud,
                  const std::vector<PlaneSegment>& planes,
@@ -158,11 +169,13 @@ seesMostlyBacks (const XyzCloud& cloud,
   return 2 * points_from_behind > points;
 }
 
-/** \brief Sets a view into the cloud from outside and above. If the sensor was inside
- * the box, planes seen from behind are left out. If this hides most points on planes,
- * the view is from below. If most are hidden there, too, it is from above with all
- * planes.
- * \param[in,out] view its eye is the position of the sensor at first */
+/** \brief Sets a view of the cloud from outside and above. If the sensor was inside the
+ * box, planes that are seen from behind are hidden. If this hides most points on
+ * planes, the view is from below. If the view from below hides most of them, too, it is
+ * from above and no plane is hidden.
+ * \param[in] box around the points
+ * \param[in] up unit vector against gravity
+ * \param[in,out] view before the call, its eye is the position of the sensor */
 void
 lookInto (const Eigen::AlignedBox3f& box,
           const XyzCloud& cloud,
@@ -170,31 +183,33 @@ lookInto (const Eigen::AlignedBox3f& box,
           const Eigen::Vector3f& up,
           View& view)
 {
-  constexpr float distance_in_diagonals = 1.5f;
+  constexpr float distance_in_diagonals = 1.5f; // of the eye from the center of the box
   const float elevation = pcl::deg2rad (40.0f);
   const float diagonal = box.diagonal().norm();
   const float distance = diagonal > 0.0f ? distance_in_diagonals * diagonal : 1.0f;
   view.hides_backs = box.contains (view.eye);
   Eigen::Vector3f slant = bestSlant (planes, up, elevation);
-  const auto eye_at = [&] { return box.center() + distance * slant; };
-  if (view.hides_backs && seesMostlyBacks (cloud, planes, eye_at()))
+  const auto eye_of_slant = [&] { return box.center() + distance * slant; };
+  if (view.hides_backs && seesMostlyBacks (cloud, planes, eye_of_slant()))
     slant = bestSlant (planes, up, -elevation);
-  if (view.hides_backs && seesMostlyBacks (cloud, planes, eye_at())) {
+  if (view.hides_backs && seesMostlyBacks (cloud, planes, eye_of_slant())) {
     slant = bestSlant (planes, up, elevation);
     view.hides_backs = false;
   }
-  view.eye = eye_at();
+  view.eye = eye_of_slant();
   view.axes = axesOf (-slant, -up);
 }
 
-/** \brief Zooms and shifts the image so that the points, but for outliers, fill it up
- * to a margin. */
+/** \brief Zooms and shifts the image, so that the points except outliers fill it up to
+ * a margin.
+ * \param[in] width, height of the image [pixel]
+ * \param[in,out] view whose focal length and center are set */
 void
 fit (const Points& points, int width, int height, View& view)
 {
-  constexpr float filled_share = 0.95f;
-  constexpr float min_size = 1e-6f; // not to divide by 0
-  // Projected by a focal length of 1 and a principal point of zero.
+  constexpr float filled_share = 0.95f; // of the width or the height of the image
+  constexpr float min_size = 1e-6f;     // not to divide by 0
+  // The points are projected with a focal length of 1 and a principal point of zero.
   view.focal = 1.0f;
   view.center.setZero();
   std::vector<Eigen::Vector2f> projected;
@@ -219,8 +234,9 @@ chooseView (const XyzCloud& cloud,
             int width,
             int height)
 {
-  // Half the angles of what a sensor sees: a narrower cone is that of a cloud too far
-  // away, in a wider one points lie all around the sensor.
+  // The half angles of the cone that a sensor sees. If the cone of the points is
+  // narrower, the cloud is too far away; if it is wider, the points lie all around the
+  // sensor.
   const float min_half_angle = pcl::deg2rad (2.5f);
   const float max_half_angle = pcl::deg2rad (60.0f);
   Points points = someFinitePoints (cloud);

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/** A folder with input files and clouds for pcl_ops_evaluate. */
+/** A folder with the files of answers.tsv. */
 class EvaluateProgram : public AnswersFolder {
 protected:
   EvaluateProgram() : AnswersFolder (PCL_OPS_EVALUATE_PROGRAM)
@@ -27,91 +27,102 @@ protected:
   }
 
 private:
+  static constexpr int no_plane = 0;
+
   void
   writeFloors () const
   {
     const std::string floor = floorOfOnePlane();
     folder_.write ("floor.xyz", floor);
     folder_.write ("halves.xyz", floorOfTwoPlanes());
-    folder_.write ("none.xyz", labeledFloor ([] (int) { return 0; }));
+    folder_.write ("none.xyz", labeledFloor ([] (int) { return no_plane; }));
     folder_.write ("larger.xyz", floor + "1,1,1,1\n");
     folder_.write ("moved.xyz", withFirstPoint ("9,0,0,1", floor));
     folder_.write ("broken.xyz", withFirstPoint ("0,0,0,1.5", floor));
-    folder_.write ("incomplete.xyz", withoutFivePoints ("nan,0,0,1\n"));
-    folder_.write ("incomplete_found.xyz", withoutFivePoints ("nan,0,0,0\n"));
+    folder_.write ("incomplete.xyz", withFirstFivePoints ("nan,0,0,1\n"));
+    folder_.write ("incomplete_found.xyz", withFirstFivePoints ("nan,0,0,0\n"));
   }
 
   void
   writeStreets () const
   {
-    folder_.write ("street.xyz", street (40, 40, 50, 70, 70));
-    folder_.write ("street_planes.xyz", street (1, 1, 2, 0, 0));
-    folder_.write ("street_half.xyz", street (0, 1, 2, 0, 0));
-    folder_.write ("street_hedge.xyz", street (1, 1, 2, 1, 0));
+    constexpr int road = 40, building = 50, vegetation = 70; // classes
+    constexpr int ground = 1, roof = 2;                      // planes
+    folder_.write ("street.xyz", street (road, road, building, vegetation, vegetation));
+    folder_.write ("street_planes.xyz",
+                   street (ground, ground, roof, no_plane, no_plane));
+    folder_.write ("street_half.xyz",
+                   street (no_plane, ground, roof, no_plane, no_plane));
+    folder_.write ("street_hedge.xyz", street (ground, ground, roof, ground, no_plane));
     folder_.write ("bare.xyz", "x,y,z\n0,0,0\n");
   }
 
   /** A road of 20 x 20 points, 25 cm apart; a roof of 20 x 10 points, 6 m above the
    * near half of the road; and a hedge, a column of 50 points beside a corner of the
-   * road.
-   * \param[in] near,far labels of the halves of the road
-   * \param[in] foot,hedge labels of the hedge's lowest five points and of its rest */
+   * road. The parameters are labels.
+   * \param[in] near,far of the halves of the road
+   * \param[in] foot,hedge of the hedge's lowest five points and of its other points */
   static std::string
   street (int near, int far, int roof, int foot, int hedge)
   {
     std::ostringstream text ("x,y,z,label\n", std::ios::ate);
-    const auto add_level = [&text] (int first_row, double height, int label) {
+    // 10 rows of 20 points at one height.
+    const auto addRows = [&text] (int first_row, double height, int label) {
       for (int i = 0; i < 200; ++i)
         text << 0.25 * (i % 20) << ',' << 0.25 * (first_row + i / 20) << ',' << height
              << ',' << label << '\n';
     };
-    add_level (0, 0.0, near);
-    add_level (10, 0.0, far);
-    add_level (0, 6.0, roof);
+    addRows (0, 0.0, near);
+    addRows (10, 0.0, far);
+    addRows (0, 6.0, roof);
     for (int i = 0; i < 50; ++i)
       text << "-1,-1," << 0.02 * i << ',' << (i < 5 ? foot : hedge) << '\n';
     return text.str();
   }
 
-  /** A floor with another first point. */
+  /** A floor with this line, without a line break, in place of its first point. */
   static std::string
-  withFirstPoint (const std::string& point, const std::string& floor)
+  withFirstPoint (const std::string& line, const std::string& floor)
   {
-    return "x,y,z,label\n" + point + floor.substr (floor.find ("\n0.02,"));
+    const std::size_t end_of_first = floor.find ("\n0.02,");
+    return "x,y,z,label\n" + line + floor.substr (end_of_first);
   }
 
-  /** The floor of one plane with this line in place of each of the first five. */
+  /** The floor of one plane with this line in place of each of its first five points.
+   */
   static std::string
-  withoutFivePoints (const std::string& point)
+  withFirstFivePoints (const std::string& line)
   {
     const std::string floor = floorOfOnePlane();
+    const std::size_t begin_of_sixth = floor.find ("0.1,0,");
     std::string text = "x,y,z,label\n";
     for (int i = 0; i < 5; ++i)
-      text += point;
-    return text + floor.substr (floor.find ("0.1,0,"));
+      text += line;
+    return text + floor.substr (begin_of_sixth);
   }
 
-  /** 40 clouds of a plane of 40 x 40 points, 2 cm apart, seen from above, and the poses
-   * of their sensors. The noise has a standard deviation of 1 cm, and is the same for
-   * each block of 4 x 4 points. In every second cloud the sensor is turned by 90
-   * degrees about z. */
+  /** 40 clouds of a plane of 40 x 40 points, 2 cm apart, seen from 1 m above, and the
+   * poses of their sensors. The noise has a standard deviation of 1 cm, and is equal
+   * for all points of a block of 4 x 4. In every second cloud the sensor is turned by
+   * 90 degrees about z. */
   void
   writeNoisyClouds () const
   {
     fs::create_directory (folder_ / "noisy");
     pcl_ops::apps::Random random (1);
     std::string poses;
-    for (int cloud = 100; cloud < 140; ++cloud) {
+    constexpr int first = 100; // all names have three digits, so they sort by number
+    for (int cloud = first; cloud < first + 40; ++cloud) {
       const bool is_turned = cloud % 2 == 1;
-      std::array<double, 100> errors{};
-      for (double& error : errors)
+      std::array<double, 10 * 10> error_of_block{}; // [m]
+      for (double& error : error_of_block)
         error = 0.01 * random.gaussian();
       std::ostringstream text ("x,y,z,label\n", std::ios::ate);
       for (int i = 0; i < 1600; ++i) {
         const int column = i % 40, row = i / 40;
         const double x = 0.02 * column, y = 0.02 * row;
         text << (is_turned ? y : x) << ',' << (is_turned ? -x : y) << ','
-             << errors[column / 4 + row / 4 * 10] - 1.0 << ",1\n";
+             << error_of_block[column / 4 + row / 4 * 10] - 1.0 << ",1\n";
       }
       folder_.write ("noisy/" + std::to_string (cloud) + ".xyz", text.str());
       poses += is_turned ? "0 0 0 1 0 0 0.70710678 0.70710678\n" : "0 0 0 1 0 0 0 1\n";
@@ -127,11 +138,13 @@ INSTANTIATE_TEST_SUITE_P (All,
 
 TEST_P (EvaluateProgram, IsAsTheTableSays) { expectAnswers(); }
 
-/** The name of a test, a key of the second plane of a.json, a wrong value for it (null:
- * the key is removed), and what pcl_ops_evaluate says behind "planes[1].". */
+/** A change of the second plane of a.json that makes it wrong. */
 struct WrongValue {
-  std::string test, key;
+  std::string test_name;
+  std::string key;
+  /** Its new value; null: the key is removed. */
   Json value;
+  /** What pcl_ops_evaluate says behind "planes[1].". */
   std::string complaint;
 
   friend std::ostream&
@@ -187,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P (
                    "hull",
                    {{0, 0, 0}, {1, 0, 0}, {1, -1e200, 0}},
                    "hull[2][1] is too large"}),
-    [] (const auto& info) { return info.param.test; });
+    [] (const auto& info) { return info.param.test_name; });
 
 TEST_P (ListOfPlanes, NamesTheWrongValue)
 {

@@ -5,8 +5,8 @@
 // (LD_PRELOAD). They fail as environment variables say:
 // - FULL_AT_WRITE=n: the disk has room for half of the n-th write, and is then full.
 // - KILLED_AT_WRITE=n: the program is killed before its n-th write.
-// - READ_ONLY=1: no file and no folder can be made.
-// - THREADS_TO_START=n: at most n threads can be started; n may be 0.
+// - READ_ONLY=1: no file and no folder can be created.
+// - THREADS_TO_START=n: only the first n threads can be started; n may be 0.
 // Only writes to regular files count, from 1 on; standard output and error do not.
 
 #include <dlfcn.h>
@@ -58,33 +58,35 @@ Disk
 diskAtNextWrite ()
 {
   static std::atomic<long> writes{0};
-  static const long last_write = numberIn ("FULL_AT_WRITE");
-  static const long fatal_write = numberIn ("KILLED_AT_WRITE");
+  static const long filling_write = numberIn ("FULL_AT_WRITE"); // 0: none
+  static const long fatal_write = numberIn ("KILLED_AT_WRITE"); // 0: none
   const long write = ++writes;
   if (write == fatal_write)
     ::raise (SIGKILL);
-  if (last_write == 0 || write < last_write)
+  if (filling_write == 0 || write < filling_write)
     return Disk::HasRoom;
-  return write == last_write ? Disk::GetsFull : Disk::IsFull;
+  return write == filling_write ? Disk::GetsFull : Disk::IsFull;
 }
 
-/** \brief Writes all, half or none of the bytes (write) or parts (writev), by the state
- * of the disk. A single byte or part has no half and is not written. */
-template <typename Call, typename Part, typename Count>
+/** \brief Writes all, half or none of the bytes (of write) or of the buffers (of
+ * writev), by the state of the disk. Half of a single byte or buffer is none.
+ * \param[in] call the function of the C library */
+template <typename Call, typename Source, typename Count>
 ssize_t
-writeWhereThereIsRoom (Call* call, int descriptor, const Part* parts, Count count)
+writeWhereThereIsRoom (Call* call, int descriptor, const Source* source, Count count)
 {
   const Disk disk = isFile (descriptor) ? diskAtNextWrite() : Disk::HasRoom;
   if (disk == Disk::IsFull || (disk == Disk::GetsFull && count < 2)) {
     errno = ENOSPC;
     return -1;
   }
-  return call (descriptor, parts, disk == Disk::GetsFull ? count / 2 : count);
+  return call (descriptor, source, disk == Disk::GetsFull ? count / 2 : count);
 }
 
-/** \brief Whether READ_ONLY is set to another number than 0; then sets errno, too. */
+/** \brief Whether a call that creates a file or a folder has to fail: READ_ONLY is set
+ * to another number than 0. If so, sets errno. */
 bool
-isReadOnly ()
+failsToCreate ()
 {
   static const bool is_set = numberIn ("READ_ONLY") != 0;
   errno = is_set ? EROFS : errno;
@@ -103,10 +105,10 @@ write (int descriptor, const void* bytes, std::size_t count)
 }
 
 ssize_t
-writev (int descriptor, const struct iovec* parts, int count)
+writev (int descriptor, const struct iovec* buffers, int count)
 {
   static auto* const call = original<decltype (writev)> ("writev");
-  return writeWhereThereIsRoom (call, descriptor, parts, count);
+  return writeWhereThereIsRoom (call, descriptor, buffers, count);
 }
 
 int
@@ -117,14 +119,14 @@ open (const char* path, int flags, ...)
   va_start (arguments, flags);
   const auto mode = (flags & O_CREAT) != 0 ? va_arg (arguments, mode_t) : 0;
   va_end (arguments);
-  return (flags & O_CREAT) != 0 && isReadOnly() ? -1 : call (path, flags, mode);
+  return (flags & O_CREAT) != 0 && failsToCreate() ? -1 : call (path, flags, mode);
 }
 
 int
 mkdir (const char* path, mode_t mode)
 {
   static auto* const call = original<decltype (mkdir)> ("mkdir");
-  return isReadOnly() ? -1 : call (path, mode);
+  return failsToCreate() ? -1 : call (path, mode);
 }
 
 int

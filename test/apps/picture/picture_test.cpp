@@ -11,6 +11,7 @@
 #include <support/cloud_values.h>
 
 #include <fstream>
+#include <functional>
 #include <numeric>
 #include <set>
 
@@ -21,7 +22,10 @@ namespace {
 
 constexpr int image_width = 200;  // [pixel]
 constexpr int image_height = 150; // [pixel]
-const Eigen::Vector3f z_axis = Eigen::Vector3f::UnitZ();
+const Eigen::Vector3f x_axis = Eigen::Vector3f::UnitX(),
+                      y_axis = Eigen::Vector3f::UnitY(),
+                      z_axis = Eigen::Vector3f::UnitZ();
+constexpr float pi = 3.1415927f;
 
 void
 add (XyzCloud& cloud, const Eigen::Vector3f& point)
@@ -42,32 +46,45 @@ addSquare (XyzCloud& cloud,
   PlaneSegment plane;
   plane.normal = u.cross (v).cast<double>();
   plane.centroid = center.cast<double>();
+  constexpr float spacing = 0.1f; // [m]
   for (int i = -10; i <= 10; ++i)
     for (int j = -10; j <= 10; ++j) {
       plane.inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
       add (cloud,
-           center + 0.1f * static_cast<float> (i) * u +
-               0.1f * static_cast<float> (j) * v);
+           center + spacing * static_cast<float> (i) * u +
+               spacing * static_cast<float> (j) * v);
     }
   return plane;
 }
 
+/** \brief The view of a cloud that is chosen for the image; z is up. */
 View
 viewOf (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes = {})
 {
   return chooseView (cloud, planes, z_axis, image_width, image_height);
 }
 
+/** \brief Adds two ceilings side by side, 1 m above the sensor, and a floor 1 m below
+ * it; their normals point to the sensor, which is at the origin. */
+std::vector<PlaneSegment>
+addTwoCeilingsAndFloor (XyzCloud& cloud)
+{
+  return {addSquare (cloud, {-1, 0, 1}, y_axis, x_axis),
+          addSquare (cloud, {1, 0, 1}, y_axis, x_axis),
+          addSquare (cloud, {0, 0, -1}, x_axis, y_axis)};
+}
+
 } // namespace
 
-TEST (View, HasRightAndDownOfTheSensorOrDownAlongGravity)
+TEST (View, HasRightAndDownOfASensorThatLooksAlongZElseDownAlongGravity)
 {
-  constexpr float pi = 3.1415927f;
-  const Eigen::Vector3f x_axis (1, 0, 0), y_axis (0, 1, 0);
+  // The view of a wall: right and down in the image are these directions.
   const struct {
     const char* sensor;
-    float turned; // about its z axis [rad]
-    Eigen::Vector3f eye, center, u, v, right, down;
+    float turn;                   // of the sensor about its z axis [rad]
+    Eigen::Vector3f eye;          // position of the sensor [m]
+    Eigen::Vector3f center, u, v; // of the wall, as for addSquare
+    Eigen::Vector3f right, down;
   } rows[] = {
       {"camera", 0.0f, {0, 0, 0}, {0, 0, 3}, x_axis, y_axis, x_axis, y_axis},
       {"upside down", pi, {0, 0, 0}, {0, 0, 3}, x_axis, y_axis, -x_axis, -y_axis},
@@ -77,11 +94,12 @@ TEST (View, HasRightAndDownOfTheSensorOrDownAlongGravity)
     XyzCloud wall;
     addSquare (wall, row.center, row.u, row.v);
     wall.sensor_origin_.head<3>() = row.eye;
-    wall.sensor_orientation_ = Eigen::AngleAxisf (row.turned, z_axis);
+    wall.sensor_orientation_ = Eigen::AngleAxisf (row.turn, z_axis);
     const View view = viewOf (wall);
-    const Eigen::Vector3f middle = view.project (row.center);
-    EXPECT_GT (view.project (row.center + row.right).x(), middle.x());
-    EXPECT_GT (view.project (row.center + row.down).y(), middle.y());
+    // Column, row and depth.
+    const Eigen::Vector3f pixel_of_center = view.project (row.center);
+    EXPECT_GT (view.project (row.center + row.right).x(), pixel_of_center.x());
+    EXPECT_GT (view.project (row.center + row.down).y(), pixel_of_center.y());
   }
 }
 
@@ -89,9 +107,9 @@ TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
 {
   XyzCloud room;
   const std::vector<PlaneSegment> planes = {
-      addSquare (room, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}),
-      addSquare (room, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}),
-      addSquare (room, {1, 0, 0}, {0, 0, 1}, {0, 1, 0})};
+      addSquare (room, {0, 0, -1}, x_axis, y_axis), // floor, seen from above
+      addSquare (room, {-1, 0, 0}, y_axis, z_axis), // walls, seen from within
+      addSquare (room, {1, 0, 0}, z_axis, y_axis)};
   const View view = viewOf (room, planes);
   EXPECT_TRUE (view.hides_backs);
   EXPECT_GT (view.eye.z(), 1.0f);
@@ -101,10 +119,7 @@ TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
 TEST (View, IsTheSameForPlanesInMapCoordinates)
 {
   XyzCloud hall;
-  std::vector<PlaneSegment> planes = {
-      addSquare (hall, {-1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
-      addSquare (hall, {1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
-      addSquare (hall, {0, 0, -1}, {1, 0, 0}, {0, 1, 0})};
+  std::vector<PlaneSegment> planes = addTwoCeilingsAndFloor (hall);
   const View expected = viewOf (hall, planes);
   for (const double height : {-300.0, 300.0}) {
     for (PlaneSegment& plane : planes)
@@ -113,13 +128,10 @@ TEST (View, IsTheSameForPlanesInMapCoordinates)
   }
 }
 
-TEST (View, LooksFromBelowAtCeilingsAroundTheSensor)
+TEST (View, LooksFromBelowWhereMostPlanesAreCeilings)
 {
   XyzCloud hall;
-  const std::vector<PlaneSegment> planes = {
-      addSquare (hall, {-1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
-      addSquare (hall, {1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
-      addSquare (hall, {0, 0, -1}, {1, 0, 0}, {0, 1, 0})};
+  const std::vector<PlaneSegment> planes = addTwoCeilingsAndFloor (hall);
   const View view = viewOf (hall, planes);
   EXPECT_TRUE (view.hides_backs);
   EXPECT_LT (view.eye.z(), -1.0f);
@@ -127,33 +139,34 @@ TEST (View, LooksFromBelowAtCeilingsAroundTheSensor)
 
 TEST (View, HidesNoBacksWhereItWouldHideMostPlanesFromAboveAndFromBelow)
 {
+  // Vertical walls whose normals point into many directions.
   XyzCloud walls;
   std::vector<PlaneSegment> planes;
   for (const float degrees : {0.0f, 0.0f, 110.0f, -110.0f, 180.0f}) {
-    const Eigen::AngleAxisf turn (degrees * 3.1415927f / 180.0f, z_axis);
-    planes.push_back (addSquare (
-        walls, {0, 0, 0}, turn * Eigen::Vector3f::UnitY(), Eigen::Vector3f::UnitZ()));
+    const Eigen::AngleAxisf turn (degrees * pi / 180.0f, z_axis);
+    planes.push_back (addSquare (walls, {0, 0, 0}, turn * y_axis, z_axis));
   }
   EXPECT_FALSE (viewOf (walls, planes).hides_backs);
-  planes.resize (2);
+  constexpr std::size_t planes_with_one_normal = 2;
+  planes.resize (planes_with_one_normal);
   EXPECT_TRUE (viewOf (walls, planes).hides_backs);
 }
 
 TEST (View, FillsTheImage)
 {
   XyzCloud wall;
-  addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
+  addSquare (wall, {0, 0, 3}, x_axis, y_axis);
   const View view = viewOf (wall);
-  const Eigen::Vector3f low = view.project ({-1, -1, 3}),
-                        high = view.project ({1, 1, 3});
-  EXPECT_GT (low.x(), 0.0f);
-  EXPECT_GT (low.y(), 0.0f);
-  EXPECT_LT (high.x(), image_width);
-  EXPECT_LT (high.y(), image_height);
-  EXPECT_GT (high.y() - low.y(), 0.9f * image_height);
+  const Eigen::Vector3f upper_left = view.project ({-1, -1, 3}),
+                        lower_right = view.project ({1, 1, 3});
+  EXPECT_GT (upper_left.x(), 0.0f);
+  EXPECT_GT (upper_left.y(), 0.0f);
+  EXPECT_LT (lower_right.x(), image_width);
+  EXPECT_LT (lower_right.y(), image_height);
+  EXPECT_GT (lower_right.y() - upper_left.y(), 0.9f * image_height);
 }
 
-TEST (View, ExistsForACloudOfNothingOrOfOnePoint)
+TEST (View, ExistsForACloudOfNoPointOrOfOnePoint)
 {
   XyzCloud cloud;
   viewOf (cloud);
@@ -162,24 +175,24 @@ TEST (View, ExistsForACloudOfNothingOrOfOnePoint)
   EXPECT_TRUE (pixel.allFinite()) << pixel.transpose();
 }
 
-TEST (Raster, HasTheNearestOfThePointsThatAreShownWithoutGaps)
+TEST (Raster, HasThePointsOfTheNearestSurfaceWithoutGapsUnlessTheyAreNotShown)
 {
   XyzCloud cloud;
-  addSquare (cloud, {0, 0, 4}, {1, 0, 0}, {0, 1, 0});
+  addSquare (cloud, {0, 0, 4}, x_axis, y_axis);
   const auto first_of_near = static_cast<pcl::index_t> (cloud.size());
-  addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
-  const auto draw = [&] (bool is_shown) {
-    return drawPoints (
-        cloud, viewOf (cloud), image_width, image_height, [&] (pcl::index_t) {
-          return is_shown;
-        });
-  };
-  const Raster raster = draw (true);
+  addSquare (cloud, {0, 0, 3}, x_axis, y_axis);
+  const auto rasterWith =
+      [&cloud] (const std::function<bool (pcl::index_t)>& is_shown) {
+        return drawPoints (cloud, viewOf (cloud), image_width, image_height, is_shown);
+      };
+  const Raster raster = rasterWith ([] (pcl::index_t) { return true; });
+  // The middle third of the image along both axes.
   for (int row = image_height / 3; row < 2 * image_height / 3; ++row)
     for (int column = image_width / 3; column < 2 * image_width / 3; ++column)
       ASSERT_GE (raster.points (column, row), first_of_near)
           << "at " << column << ", " << row;
-  EXPECT_TRUE ((draw (false).points == Raster::nothing).all());
+  const Raster empty = rasterWith ([] (pcl::index_t) { return false; });
+  EXPECT_TRUE ((empty.points == Raster::nothing).all());
 }
 
 TEST (Colors, OfLabelsUpTo100AndOfNoPlaneAllDiffer)
@@ -188,28 +201,30 @@ TEST (Colors, OfLabelsUpTo100AndOfNoPlaneAllDiffer)
   for (std::uint32_t label = 0; label <= 100; ++label)
     seen.insert (colorOfLabel (label).rgba);
   EXPECT_EQ (seen.size(), 101u);
-  EXPECT_EQ (colorOfLabel (0).r, colorOfLabel (0).g);
+  EXPECT_EQ (colorOfLabel (0).r, colorOfLabel (0).g) << "gray";
   EXPECT_NO_THROW (colorOfLabel (1000000));
 }
 
-TEST (ColorScale, EndsAtRoundNumbersBeyondMostValues)
+TEST (ColorScale, EndsAtRoundNumbersBeyondAllButAFewValues)
 {
-  std::vector<float> values = {0.0f, -1.0f, NAN, INFINITY};
+  std::vector<float> values = {0.0f, -1.0f, NAN, INFINITY}; // are ignored
   values.insert (values.end(), 500, 0.003f);
   values.insert (values.end(), 500, 0.07f);
-  values.insert (values.end(), 9, 1000.0f);
-  values.insert (values.end(), 9, 1e-6f);
+  constexpr std::size_t less_than_a_hundredth = 9;
+  values.insert (values.end(), less_than_a_hundredth, 1000.0f);
+  values.insert (values.end(), less_than_a_hundredth, 1e-6f);
   const ColorScale scale (values);
   EXPECT_NEAR (scale.smallest, 0.002, 1e-9);
   EXPECT_NEAR (scale.largest, 0.1, 1e-9);
 }
 
-TEST (ColorScale, GoesFromTheSmallestToTheLargestValueByTheLogarithm)
+TEST (ColorScale, IsLogarithmicFromTheSmallestToTheLargestValue)
 {
   std::vector<float> values (100, 0.01f);
   values.resize (200, 1.0f);
   const ColorScale scale (values);
-  // Whether a value has the color at this share of the scale.
+  // Whether a value has the color at a share of the scale: 0 at the smallest value, 1
+  // at the largest.
   const auto isColorAt = [&] (float value, float share) {
     return scale (value).rgba == ColorScale::at (share).rgba;
   };
@@ -227,12 +242,13 @@ TEST (ColorScale, HasColorsWhereAllValuesAreEqualOrThereAreNone)
   EXPECT_NE (ColorScale ({}) (0.0f).rgba, colorOfLabel (0).rgba);
 }
 
-TEST (CloudPicture, ShowsAPointInEachPixelOfItsSurface)
+TEST (CloudPicture, ShowsEachPointOfASurfaceInSomePixels)
 {
   XyzCloud cloud;
-  const PlaneSegment wall = addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, -1, 0});
+  const PlaneSegment wall = addSquare (cloud, {0, 0, 3}, x_axis, -y_axis);
   add (cloud, {NAN, 0, 3});
-  const std::vector<std::uint32_t> labels (cloud.size(), 1);
+  constexpr std::uint32_t label_of_wall = 1;
+  const std::vector<std::uint32_t> labels (cloud.size(), label_of_wall);
   const CloudPicture picture (cloud, labels, {wall}, z_axis);
   std::set<pcl::index_t> shown;
   int pixels = 0;
@@ -247,12 +263,13 @@ TEST (CloudPicture, ShowsAPointInEachPixelOfItsSurface)
   EXPECT_EQ (shown.size(), wall.inliers.size());
 }
 
-TEST (CloudPicture, IsSavedAsOnePictureWithOrWithoutAScale)
+TEST (CloudPicture, IsSavedWithTheWidthOfOneHalfWithOrWithoutAScale)
 {
   XyzCloud cloud;
-  const PlaneSegment wall = addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, -1, 0});
-  const CloudPicture picture (
-      cloud, std::vector<std::uint32_t> (cloud.size(), 1), {wall}, z_axis);
+  const PlaneSegment wall = addSquare (cloud, {0, 0, 3}, x_axis, -y_axis);
+  constexpr std::uint32_t label_of_wall = 1;
+  const std::vector<std::uint32_t> labels (cloud.size(), label_of_wall);
+  const CloudPicture picture (cloud, labels, {wall}, z_axis);
   const TemporaryFolder folder;
   const std::vector<pcl::RGB> colors (cloud.size(), pcl::RGB (10, 20, 30));
   const ColorScale scale ({0.002f, 0.1f});
@@ -260,43 +277,51 @@ TEST (CloudPicture, IsSavedAsOnePictureWithOrWithoutAScale)
   picture.save (folder / "values.png", colors, &scale);
   for (const char* file : {"labels.png", "values.png"}) {
     const std::string png = contentOf (folder / file);
-    // The low bytes of the width, which begins at byte 16: behind the signature and the
-    // head of the first chunk.
-    EXPECT_EQ (static_cast<unsigned char> (png.at (18)), Image::half_width / 256);
-    EXPECT_EQ (static_cast<unsigned char> (png.at (19)), Image::half_width % 256);
+    // The width has 4 bytes, the high byte first, behind the signature and the head of
+    // the first chunk.
+    constexpr std::size_t offset_of_width = 16;
+    EXPECT_EQ (static_cast<unsigned char> (png.at (offset_of_width + 2)),
+               Image::half_width / 256);
+    EXPECT_EQ (static_cast<unsigned char> (png.at (offset_of_width + 3)),
+               Image::half_width % 256);
   }
   EXPECT_NE (contentOf (folder / "labels.png"), contentOf (folder / "values.png"));
 }
 
-TEST (MapPicture, ShowsTheUpperPlaneInBothColorsAndWhatIsInItsHole)
+TEST (MapPicture, ShowsTheUpperPlaneInBothHalvesAndTheLowerPlaneInItsHole)
 {
+  // Corners of the square with x and y from one coordinate to another [m].
   const auto square = [] (double from, double to) {
     return std::vector<Eigen::Vector3d> (
         {{from, from, 0}, {to, from, 0}, {to, to, 0}, {from, to, 0}});
   };
+  constexpr std::uint32_t id_of_roof = 1, id_of_ground = 2;
+  // The roof is 5 m above the ground. Its hole has a quarter of the area.
   const MapShape roof{
-      1, Orientation::Other, 5.0, {square (0.0, 8.0), square (2.0, 6.0)}};
-  const MapShape ground{2, Orientation::Horizontal, 0.0, {square (0.0, 8.0)}};
+      id_of_roof, Orientation::Other, 5.0, {square (0.0, 8.0), square (2.0, 6.0)}};
+  const MapShape ground{
+      id_of_ground, Orientation::Horizontal, 0.0, {square (0.0, 8.0)}};
   const Image image = mapPicture ({roof, ground});
-  const auto pixelsOf = [&] (const pcl::RGB& color) {
+  const auto pixelsWith = [&image] (const pcl::RGB& color) {
     int pixels = 0;
     for (std::size_t i = 0; i < image.bytes.size(); i += 3)
       pixels += image.bytes[i] == color.r && image.bytes[i + 1] == color.g &&
                 image.bytes[i + 2] == color.b;
     return pixels;
   };
-  const int of_ground = pixelsOf (colorOfLabel (2));
+  const int of_ground = pixelsWith (colorOfLabel (id_of_ground));
   EXPECT_GT (of_ground, 10000);
-  EXPECT_NEAR (pixelsOf (colorOfLabel (1)), 3 * of_ground, 0.02 * of_ground);
-  // The legend has boxes in these colors, of up to 400 pixels each.
-  EXPECT_NEAR (pixelsOf (colorOf (Orientation::Horizontal)), of_ground, 400);
+  EXPECT_NEAR (pixelsWith (colorOfLabel (id_of_roof)), 3 * of_ground, 0.02 * of_ground);
+  // The legend has boxes in the colors of orientations, of up to 400 pixels each.
+  EXPECT_NEAR (pixelsWith (colorOf (Orientation::Horizontal)), of_ground, 400);
   EXPECT_NEAR (
-      pixelsOf (colorOf (Orientation::Other)), 3 * of_ground, 0.02 * of_ground);
+      pixelsWith (colorOf (Orientation::Other)), 3 * of_ground, 0.02 * of_ground);
 }
 
 namespace {
 
-/** \brief The number in a line of /proc/self/status [byte]; the line says it in kB. */
+/** \brief The memory in the line of /proc/self/status with this name [byte]; 0 without
+ * such a line. The line has it in kB. */
 std::size_t
 statusBytes (const std::string& name)
 {
@@ -309,12 +334,12 @@ statusBytes (const std::string& name)
 
 } // namespace
 
-TEST (LabelledCloud, IsSavedWithoutMemoryForACopy)
+TEST (LabelledCloud, IsSavedWithLessMemoryThanACopyNeeds)
 {
 #ifdef PCL_OPS_SANITIZED
   GTEST_SKIP() << "sanitizers keep what is freed";
 #endif
-  constexpr std::size_t size = 4000000;
+  constexpr std::size_t size = 4000000; // points, of 3 bytes each
   const TemporaryFolder folder;
   FileCloud cloud;
   cloud.points.width = size;
@@ -328,7 +353,8 @@ TEST (LabelledCloud, IsSavedWithoutMemoryForACopy)
   for (const char* name : {"a.ply", "a.pcd"}) {
     std::ofstream ("/proc/self/clear_refs") << "5"; // sets the peak (VmHWM) to VmRSS
     const std::size_t before = statusBytes ("VmRSS");
-    saveLabelledCloud (folder / name, cloud, labels, distances, false);
+    constexpr bool keeps_color = false;
+    saveLabelledCloud (folder / name, cloud, labels, distances, keeps_color);
     EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
   }
   const FileCloud saved = loadCloud (folder / "a.pcd");
