@@ -39,6 +39,10 @@ constexpr double operator"" _deg (long double degrees) { return static_cast<doub
 constexpr double operator"" _deg (unsigned long long degrees) { return static_cast<double> (degrees) * pi / 180.0; }
 // clang-format on
 
+/** \brief theta_h in tests of the paper's methods: the farthest that a point of a plane
+ * is from it [m]. */
+constexpr double theta_h = 5_cm;
+
 /** \brief Returns a seed hashed from the name of the running test (FNV-1a). Each test
  * has random numbers of its own, which stay the same if other tests are added. Only a
  * running test may call this. */

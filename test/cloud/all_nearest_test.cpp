@@ -12,7 +12,7 @@ using namespace pcl_ops::internal;
 namespace {
 
 /** \brief Another point as a candidate for a nearest neighbor. */
-struct Candidate {
+struct OtherPoint {
   float squared_distance; // [m^2]
   std::uint32_t index;
 };
@@ -25,7 +25,7 @@ nearestOfEach (const Coordinates& points, std::size_t number)
 {
   Indices nearest;
   for (std::uint32_t own = 0; own < points.size(); ++own) {
-    std::vector<Candidate> others;
+    std::vector<OtherPoint> others;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const float x = points.x[i] - points.x[own];
       const float y = points.y[i] - points.y[own];
@@ -34,7 +34,7 @@ nearestOfEach (const Coordinates& points, std::size_t number)
         others.push_back ({x * x + y * y + z * z, i});
     }
     std::sort (
-        others.begin(), others.end(), [] (const Candidate& a, const Candidate& b) {
+        others.begin(), others.end(), [] (const OtherPoint& a, const OtherPoint& b) {
           return std::tie (a.squared_distance, a.index) <
                  std::tie (b.squared_distance, b.index);
         });

@@ -10,8 +10,6 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
-constexpr double theta_h = 5_cm;
-
 // Number of points along each edge of a surface.
 constexpr int steps_of_bottom_and_wall = 100;
 constexpr int steps_of_shelf = 20;

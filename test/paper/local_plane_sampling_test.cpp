@@ -8,7 +8,6 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-constexpr double theta_h = 5_cm;
 /** A limit of inliers, hypotheses or visits per point that no test reaches. */
 constexpr double no_limit = 1e9;
 

@@ -45,8 +45,6 @@ floorAndSmallerWall ()
 
 const Plane floor_plane{Eigen::Vector3d::UnitZ(), 0.0};
 
-constexpr double theta_h = 5_cm;
-
 RansacParameters
 parametersWithThreshold ()
 {
