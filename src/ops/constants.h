@@ -123,9 +123,6 @@ struct PlaceConstants {
   /** \brief Least share of all border places of a region that touch the region it joins
    * and lie on that region's plane. */
   double min_share_of_border = 0.1;
-  /** \brief Least share of the places at the common border of two regions that lie on
-   * the plane of the other region. */
-  double min_fitting_border = 0.5;
   /** \brief Largest distance of the centroids of regions that are joined over a gap, in
    * units of the mean of both lengths. */
   double max_gap = 2.0;
@@ -146,8 +143,6 @@ struct PlaceConstants {
   double max_bend = 5.0; // largest value of RegionEvidence::bend
   double evidence_of_smooth_border = -3.24;
   double evidence_of_open_border = 6.08;
-  /** \brief RegionEvidence::size counts points / common_errors ^ this exponent. */
-  double common_error_exponent = 0.25;
 
   // Labels.
   /** \brief Largest distance of a point to its plane, in units of the noise. The term

@@ -154,15 +154,13 @@ borderOf (const Places& places,
 
 // Returns the evidence for and against a region being a plane.
 // \param[in] points number of places of the region
-// \param[in] cloud the number of points and the common errors of the whole cloud
+// \param[in] points_of_cloud number of points of the whole cloud
 // \param[in] bend,border those of the region
 RegionEvidence
-evidenceOf (double points, const CloudNoise& cloud, double bend, const Border& border)
+evidenceOf (double points, double points_of_cloud, double bend, const Border& border)
 {
   RegionEvidence evidence;
-  evidence.size =
-      std::log10 (points + 1.0) - 0.5 * std::log10 (cloud.points + 1.0) -
-      place_constants.common_error_exponent * std::log10 (cloud.common_errors);
+  evidence.size = std::log10 (points + 1.0) - 0.5 * std::log10 (points_of_cloud + 1.0);
   evidence.bend = bend;
   if (border.links > 0.0) {
     evidence.smooth_border = border.sum_of_smooth_bends / border.links;
@@ -213,7 +211,7 @@ planesAmong (const Places& places,
           return;
         const RegionEvidence evidence =
             evidenceOf (points,
-                        noise.cloud,
+                        noise.cloud.points,
                         bend[region],
                         borderOf (places, chosen, regions, members, bend, region));
         is_plane[region] = evidence.sum() > 0.0 ? 1 : 0;

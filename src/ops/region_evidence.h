@@ -11,7 +11,7 @@ namespace pcl_ops::internal {
 /** \brief Evidence for and against a region being a plane. */
 struct RegionEvidence {
   /** \brief Base 10 logarithm of the ratio of its points to the square root of the
-   * number of points of the cloud; smaller if neighboring points err alike. */
+   * number of points of the cloud. */
   double size = 0.0;
   /** \brief Rms height, above the plane of the region, of a quadratic surface fitted to
    * its places, divided by the rms of the residuals of this fit. It is 0 if the region

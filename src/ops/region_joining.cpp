@@ -71,9 +71,8 @@ thicknessOf (const Region& region)
 struct Contact {
   std::int32_t own;   // index of the region in Regions::list
   std::int32_t other; // index of the other region
-  /** \brief Number of places of region own with a neighbor in region other. */
-  int places;
-  /** \brief How many of these places lie on the plane of region other. */
+  /** \brief Number of places of region own that have a neighbor in region other and lie
+   * on the plane of region other. */
   int fitting_places;
 };
 
@@ -110,7 +109,7 @@ addContacts (const Places& places,
     const double reach = noises_of_border * thicknessOf (other_region) +
                          place_constants.bend_of_width * other_region.width();
     const double distance = other_region.fit.plane.distance (places.position[place]);
-    contacts.push_back ({own, other, 1, std::abs (distance) < reach ? 1 : 0});
+    contacts.push_back ({own, other, std::abs (distance) < reach ? 1 : 0});
   }
 }
 
@@ -131,10 +130,8 @@ summed (std::vector<Contact> contacts)
   std::sort (contacts.begin(), contacts.end(), isBefore);
   std::vector<Contact> sums;
   for (const Contact& contact : contacts)
-    if (!sums.empty() && !isBefore (sums.back(), contact)) {
-      sums.back().places += contact.places;
+    if (!sums.empty() && !isBefore (sums.back(), contact))
       sums.back().fitting_places += contact.fitting_places;
-    }
     else
       sums.push_back (contact);
   return sums;
@@ -226,21 +223,18 @@ isPieceOf (const Region& own, const Region& other)
   return is_parallel && (liesOn (own, other) || areNearlyFlat (own, other));
 }
 
-// Returns a contact plus the counts of the opposite one. There may be none: a place is
+// Returns a contact plus the count of the opposite one. There may be none: a place is
 // not always a neighbor of its neighbors.
 // \param[in] sorted all contacts
 Contact
 fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
 {
-  const Contact opposite{contact.other, contact.own, 0, 0};
+  const Contact opposite{contact.other, contact.own, 0};
   const auto found =
       std::lower_bound (sorted.begin(), sorted.end(), opposite, isBefore);
   if (found == sorted.end() || isBefore (opposite, *found))
     return contact;
-  return {contact.own,
-          contact.other,
-          contact.places + found->places,
-          contact.fitting_places + found->fitting_places};
+  return {contact.own, contact.other, contact.fitting_places + found->fitting_places};
 }
 
 // Returns for each region the index of the region that it picks, or no_plane: one of
@@ -258,13 +252,10 @@ pickTouching (const Borders& borders, const Regions& regions)
         regions.list[own].moments.count < min_points_of_join)
       continue;
     const Contact both = fromBothSides (contact, borders.contacts);
-    const bool fits_along_contact =
-        both.fitting_places >= place_constants.min_fitting_border * both.places;
     const bool is_much_of_border =
         contact.fitting_places >=
         place_constants.min_share_of_border * borders.border_places[own];
-    if (fits_along_contact && is_much_of_border &&
-        both.fitting_places > most_fitting_places[own] &&
+    if (is_much_of_border && both.fitting_places > most_fitting_places[own] &&
         isPieceOf (regions.list[own], regions.list[other])) {
       most_fitting_places[own] = both.fitting_places;
       pick[own] = other;
