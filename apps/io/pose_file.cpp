@@ -37,7 +37,7 @@ readNumbers (const std::string& line, std::vector<double>& numbers)
     double& number = numbers.emplace_back();
     const auto [rest, error] = std::from_chars (word.data(), end, number);
     if (error != std::errc() || rest != end || !std::isfinite (number))
-      return "has something that is no number in place " +
+      return "has something that is no number as value " +
              std::to_string (numbers.size());
   }
   return {};
@@ -95,7 +95,7 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
   // No sensor moves so far, and much farther away doubles do not resolve millimeters.
   constexpr double max_coordinate = 1e9; // [m]
   if (problem.empty() && !(pose.translation().cwiseAbs().maxCoeff() <= max_coordinate))
-    return "has a place more than 1e9 m from zero";
+    return "has a position more than 1e9 m from zero";
   return problem;
 }
 

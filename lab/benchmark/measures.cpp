@@ -300,19 +300,20 @@ measureScaling (const DataSet& clouds,
                 const Notify& notify)
 {
   ScalingTable table (notify);
-  const XyzCloud::ConstPtr first_cloud = clouds.front().load().cloud;
+  const CloudSource& first = clouds.front();
+  const XyzCloud::ConstPtr first_cloud = first.load().cloud;
   addThreadsSeries (clouds, parameters, table);
-  const std::string& name = clouds.back().name;
   for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
     table.add ("sampling_rate",
                100.0 * rate,
-               name,
+               first.name,
                first_cloud,
                presetsOn (first_cloud, parameters, 1, rate));
   for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
     const XyzCloud::ConstPtr boards =
         scanOfBoards (planes, first_cloud->size(), parameters.settings.seed);
-    table.add ("planes", planes, name, boards, scalingMeasuresOn (boards, parameters));
+    table.add (
+        "planes", planes, "boards", boards, scalingMeasuresOn (boards, parameters));
   }
   for (const CloudSource& source : clouds_by_size) {
     notify ("simulating " + source.name);

@@ -5,16 +5,22 @@
 python3 kitti_clouds.py FOLDER sequences/00/velodyne/000000.bin ...: writes FOLDER/000000.pcd ...
 """
 
+import argparse
 import pathlib
-import sys
 
 import numpy as np
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1])
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path,
+                        help="gets a .pcd file for each scan")
+    parser.add_argument("scans", metavar="SCAN", type=pathlib.Path, nargs="+",
+                        help="sequences/00/velodyne/000000.bin and the like")
+    arguments = parser.parse_args()
+    folder = arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
-    for scan in map(pathlib.Path, sys.argv[2:]):
+    for scan in arguments.scans:
         points = np.fromfile(scan, "<f4").reshape(-1, 4)  # x, y, z, reflectance
         cloud = np.zeros(len(points), dtype=[("xyz", "<f4", 3), ("label", "<u4")])
         cloud["xyz"] = points[:, :3]

@@ -250,10 +250,10 @@ warnOfViewpoint (const CloudView& cloud,
       "viewpoint",
       text.isPython()
           ? "the points were not seen from viewpoint=(" + position +
-                "), which normals are turned to; give the place of the sensor, or "
+                "), which normals are turned to; give the position of the sensor, or "
                 "leave it out"
           : "the cloud was not seen from its VIEWPOINT " + position +
-                ", which normals are turned to; write the place of the sensor into "
+                ", which normals are turned to; write the position of the sensor into "
                 "the file, or 0 0 0 if it is not known"};
 }
 

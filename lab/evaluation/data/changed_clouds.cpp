@@ -53,6 +53,8 @@ turn (ChangedCloud& changed)
     point.getVector3fMap() = turned (point.getVector3fMap());
   auto sensor = changed.cloud->sensor_origin_.head<3>();
   sensor = turned (sensor);
+  changed.cloud->sensor_orientation_ =
+      Eigen::Quaterniond (rotation).cast<float>() * changed.cloud->sensor_orientation_;
   changed.up = rotation * changed.up;
 }
 

@@ -65,6 +65,8 @@ TEST (ChangedClouds, TurnedPointsGoBy30DegreesAboutZWithSensorAndUpAxis)
       Eigen::Vector3f (0.8660254f, 0.5f, 2)));
   EXPECT_TRUE (turned.cloud->sensor_origin_.head<3>().isApprox (
       Eigen::Vector3f (-0.5f, 0.8660254f, 0)));
+  EXPECT_TRUE ((turned.cloud->sensor_orientation_ * Eigen::Vector3f::UnitX())
+                   .isApprox (Eigen::Vector3f (0.8660254f, 0.5f, 0)));
   EXPECT_TRUE (turned.up.isApprox (Vector3d (0.8660254037844386, 0.5, 0)));
 }
 
