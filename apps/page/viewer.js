@@ -515,8 +515,9 @@ function fillFilter() {
 function fillPanel() {
   const all = groups.reduce((sum, group) => sum + group.all, 0);
   document.title = element('title').textContent = description.title;
-  element('note').textContent = `${planes.length} planes. ${shownPoints === all ? `All ${all} points are shown.`
-    : `${shownPoints} of ${all} points are shown: an even sample, with points of each plane.`}` +
+  element('note').textContent = `${planes.length} ${planes.length === 1 ? 'plane' : 'planes'}. ` +
+    (shownPoints === all ? `All ${all} points are shown.`
+      : `${shownPoints} of ${all} points are shown: an even sample, with points of each plane.`) +
     ' Lengths are in the unit of the cloud (m), slopes in degrees.';
   element('rows').append(...planes.map(rowOf));
   fillFilter();
