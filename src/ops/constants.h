@@ -155,6 +155,8 @@ struct PlaceConstants {
   double min_share_of_part = 0.1;
 };
 
+/** \brief Values made of these are const, not constexpr: scripts/ablate takes the
+ * constants from the environment. */
 inline constexpr PlaceConstants place_constants;
 
 /** \brief A uniform distribution over a width has width^2 = 12 variance. */

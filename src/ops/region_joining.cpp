@@ -105,7 +105,7 @@ addContacts (const Places& places,
     const Region& other_region = regions.list[other];
     // Twice as much noise as liesOn allows, but the same bend: the halves of a cambered
     // road bend, so that their borders lie off each other's planes.
-    constexpr double noises_of_border = 2.0 * place_constants.noises_of_join;
+    const double noises_of_border = 2.0 * place_constants.noises_of_join;
     const double reach = noises_of_border * thicknessOf (other_region) +
                          place_constants.bend_of_width * other_region.width();
     const double distance = other_region.fit.plane.distance (places.position[place]);
@@ -281,7 +281,7 @@ attractionOverGap (const Region& own,
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
   // Regions of exact points have no noise: allow this share of the width.
-  constexpr double allowed_thickness =
+  const double allowed_thickness =
       place_constants.share_of_exact * place_constants.max_exact_thickness;
   const double reach =
       max_noises * std::min (std::max (own.noise, other.noise),
