@@ -25,7 +25,8 @@ testsOf (const std::string& file)
   return filter;
 }
 
-/** \brief Runs all tests, or only those of a source file, e.g. plane_test.cpp. */
+/** \brief Runs all tests, or only those of a source file, e.g. plane_test.cpp, whatever
+ * --gtest_filter says. */
 int
 main (int argc, char** argv)
 {

@@ -12,17 +12,16 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Collects the warnings on all inputs of a run: one line per warning code. */
+/** \brief Groups the warnings on all inputs of a run by their code. */
 class WarningLines {
 public:
   /** \brief Adds the warnings on one input. */
   void
   add (const std::string& input, const std::vector<ResultWarning>& warnings);
 
-  /** \brief Returns a line for each of the three codes (ResultContext::max_warnings)
-   * that most inputs have, the code of the most inputs first. A line has the warning on
-   * the first input: "a.pcd and 11 others: what is doubtful about a.pcd; what to do".
-   */
+  /** \brief Returns a line for each code, that of the most inputs first, at most
+   * ResultContext::max_warnings lines. A line has the warning on the first input:
+   * "a.pcd and 11 others: what is doubtful about a.pcd; what to do". */
   std::vector<std::string>
   lines () const;
 
@@ -38,9 +37,9 @@ private:
   std::vector<Line> lines_;
 };
 
-/** \brief If a floor plan has no wall, puts a warning with the reason before the
- * others. If there is a warning on the unit of the cloud, its text becomes the reason,
- * and it is removed, so that it is not printed twice. Only the first
+/** \brief If a floor plan has no wall, puts a warning on that before the others: it has
+ * the most likely reason. A warning on the unit of the cloud is a better reason: its
+ * text replaces the other one, and the warning itself is removed. Only the first
  * ResultContext::max_warnings warnings are kept. */
 void
 putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);

@@ -56,8 +56,8 @@ def outline(msg, number, plane):
                     action=Marker.ADD)
     marker.pose.orientation.w = 1.0
     marker.scale.x = 0.02  # width of the line [m]
-    golden_ratio = 0.618  # successive multiples of it, modulo 1, are far from each other
-    hue = number * golden_ratio % 1.0
+    # Successive multiples of 1 / golden ratio, modulo 1, are far from each other.
+    hue = number * 0.618 % 1.0
     red, green, blue = colorsys.hsv_to_rgb(hue, 1.0, 1.0)
     marker.color = ColorRGBA(r=red, g=green, b=blue, a=1.0)
     marker.points = [Point(x=x, y=y, z=z)
@@ -91,7 +91,10 @@ class PlaneNode(Node):
 
 def main():
     rclpy.init()
-    rclpy.spin(PlaneNode())
+    try:
+        rclpy.spin(PlaneNode())
+    except KeyboardInterrupt:
+        pass  # Ctrl-C is how a node ends
 
 
 if __name__ == "__main__":

@@ -42,7 +42,9 @@ struct CloudView {
              std::size_t x_offset,
              std::size_t point_step,
              std::size_t points)
-  : first (reinterpret_cast<const float*> (static_cast<const char*> (data) + x_offset))
+  : first (data ? reinterpret_cast<const float*> (static_cast<const char*> (data) +
+                                                  x_offset)
+                : nullptr)
   , stride (point_step / sizeof (float))
   , size (points)
   {

@@ -44,15 +44,15 @@ drawPlaster (Seed seed)
 {
   constexpr std::size_t sizes[] = {
       20'000, 50'000, 100'000, 200'000, 500'000, 1'000'000, 2'000'000};
-  // Seed 1 has the first size. The number of sizes is added so that seed 0 has the last
-  // one.
+  // Seed 1 has the first size, seed 0 the last one: seed - 1, modulo the number of
+  // sizes.
   const std::size_t from_first = std::size_t (seed) + std::size (sizes) - 1;
   Random random = randomFor (Purpose::Plaster, seed);
   return {random.between (0.002, 0.015), sizes[from_first % std::size (sizes)]};
 }
 
 SimulatedCloud
-scanPlaster (const Plaster& plaster, double noise, Seed seed)
+scanPlaster (const Plaster& plaster, double noise_factor, Seed seed)
 {
   const Shapes sides = sidesOfRoom();
   Random random = randomFor (Purpose::PlasterScan, seed);
@@ -62,11 +62,12 @@ scanPlaster (const Plaster& plaster, double noise, Seed seed)
     planes.push_back (side.plane());
     const double phase_u = random.angle (0, 360);
     const double phase_v = random.angle (0, 360);
-    waves.push_back ({noise * plaster.amplitude, phase_u, phase_v});
+    waves.push_back ({noise_factor * plaster.amplitude, phase_u, phase_v});
   }
   LabeledCloud cloud =
-      drawPoints (sides, plaster.points, noise * plaster_sigma, random);
+      drawPoints (sides, plaster.points, noise_factor * plaster_sigma, random);
   for (pcl::PointXYZL& point : cloud) {
+    // Labels are numbers of sides, from 1.
     const Shape& side = sides[point.label - 1];
     const Vector3d flat = point.getVector3fMap().cast<double>();
     const double bulge = waves[point.label - 1].bulgeAt (side, flat);

@@ -21,8 +21,8 @@ Plaster
 drawPlaster (Seed seed);
 
 /** Scans the room. The sensor is at the origin; z is up.
- * \param[in] noise factor on the noise and on the amplitude */
+ * \param[in] noise_factor multiplies the noise and the amplitude */
 SimulatedCloud
-scanPlaster (const Plaster& plaster, double noise, Seed seed);
+scanPlaster (const Plaster& plaster, double noise_factor, Seed seed);
 
 } // namespace pcl_ops::simulation

@@ -13,7 +13,7 @@ struct LevelPlane {
   double height, area;
   /** \brief Whether it was seen from below. */
   bool faces_down;
-  /** \brief Whether it is known to be seen from above; then it is no ceiling. */
+  /** \brief Whether it lies below the sensor, which saw it from above. */
   bool is_below_sensor = false;
 };
 
@@ -38,12 +38,16 @@ struct Story {
 std::vector<Level>
 levelsOf (std::vector<LevelPlane> planes);
 
-/** \brief Returns the stories from the lowest up, at least one. Levels smaller than
- * min_level_area, or than min_share_of_largest_level of the largest one, are ignored.
- * The lowest other level is the first floor if it was not seen from below and is less
- * than max_step above \p lowest. If it is larger than furniture (min_ground_area), it
- * may be up to headroom above \p lowest, or higher if it is below the sensor. A level
- * below the sensor is no ceiling. All names are those of constants.h.
+/** \brief Returns the stories from the lowest up, at least one. Names of limits are
+ * those of constants.h.
+ * - A level smaller than min_level_area, or than min_share_of_largest_level of the
+ *   largest one, is ignored.
+ * - The lowest level left is the first floor if it was not seen from below and is less
+ *   than max_step above \p lowest. If it is larger than furniture (min_ground_area), it
+ *   may be less than headroom above \p lowest, or at any height below the sensor.
+ * - A higher level less than headroom above the floor of its story is ignored.
+ * - Any other level is a ceiling if it was seen from below. Else it is the floor of the
+ *   next story, or the upper side of a ceiling.
  * \param[in] levels ascending
  * \param[in] lowest height of the lowest plane [m], of its middle if it is level: the
  * floor of the first story if no floor was seen */

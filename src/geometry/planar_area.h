@@ -8,8 +8,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Returns two unit axes u and v in a plane as columns: u x v is its unit
- * normal. They depend on the normal only. */
+/** \brief Returns two unit axes u and v in a plane as columns: u x v is its normal.
+ * They depend on the normal only.
+ * \param[in] normal unit normal */
 inline Eigen::Matrix<double, 3, 2>
 planeAxes (const Eigen::Vector3d& normal)
 {
@@ -49,7 +50,8 @@ areaOf (const std::vector<Eigen::Vector2d>& polygon)
 }
 
 /** \brief Whether a point lies inside or on the sides of a triangle, which may be
- * clockwise or counter-clockwise. */
+ * clockwise or counter-clockwise. If its corners are on one line, all points of that
+ * line do. */
 inline bool
 isWithin (const Eigen::Vector2d& point,
           const Eigen::Vector2d& a,

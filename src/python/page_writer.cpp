@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes pages as the programs do. This is an extension module of its own, which is
-// loaded only if a page is written.
+// Writes the pages that show a cloud in a browser (page/page.h). This is an extension
+// module of its own, which is loaded only if a page is written.
 #include "interpreter.h"
 #include <cli/errors.h>
 #include <page/page.h>
@@ -14,10 +14,10 @@ namespace py = pybind11;
 namespace {
 
 /** \brief Writes a page that shows points in the colors of their planes.
- * \param[in] description what the page says of the planes, as JSON
+ * \param[in] description what the page says, JSON as for savePage
  * \param[in] points relative to \p shift, of shape (N, 3)
  * \param[in] labels of each point 0 for no plane, else the position of its plane plus 1
- * \param[in] planes number of planes
+ * \param[in] plane_count number of planes
  * \param[in] max_points largest number of points on the page; of more, a sample is
  * shown */
 void
@@ -26,7 +26,7 @@ save (const std::string& file,
       const py::array_t<float>& points,
       const Eigen::Vector3d& shift,
       const std::vector<std::uint32_t>& labels,
-      std::size_t planes,
+      std::size_t plane_count,
       std::size_t max_points)
 {
   const auto coordinates = points.unchecked<2>();
@@ -40,7 +40,7 @@ save (const std::string& file,
       using namespace pcl_ops::apps;
       savePage (file,
                 description,
-                groupPoints (labels, planes, position_of, max_points),
+                groupPoints (labels, plane_count, position_of, max_points),
                 shift);
     });
   }

@@ -21,7 +21,7 @@ TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
     }
 }
 
-TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
+TEST (VoxelSize, IsProportionalToTheCoordinates)
 {
   const Coordinates meters = gridsOf ({{{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}}, 200);
   const Coordinates millimeters =

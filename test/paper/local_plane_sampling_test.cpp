@@ -3,11 +3,17 @@
 #include "grid_scene.h"
 #include "paper/local_plane_sampling.h"
 
+#include <array>
+
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
 namespace {
 
+/** Defaults of LocalSamplingParameters: N_loc points of a sphere are tested, and more
+ * than alpha_min of them have to be inliers. */
+constexpr int n_loc = 80;
+constexpr double alpha_min = 0.8;
 /** A limit of inliers, hypotheses or visits per point that no test reaches. */
 constexpr double no_limit = 1e9;
 
@@ -104,19 +110,28 @@ inputWithoutSearch (const CloudView& cloud = {})
   return {cloud, &some_indices, Eigen::Vector3d::Zero(), nullptr};
 }
 
+/** The positions of points, in lexicographic order. */
+std::vector<std::array<float, 3>>
+sortedPositions (const Coordinates& points)
+{
+  std::vector<std::array<float, 3>> positions;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    positions.push_back ({points.x[i], points.y[i], points.z[i]});
+  std::sort (positions.begin(), positions.end());
+  return positions;
+}
+
 /** Fails unless the sphere around each point holds every point within the radius once
  * and no other point, as by brute force. Points so near the surface of the sphere that
  * rounding decides may be in it or not. */
 void
 expectSpheresAsByBruteForce (const Coordinates& coordinates, double radius)
 {
-  Points points;
+  Points points; // all points of the cloud: it has no list of indices
   static_cast<Coordinates&> (points) = coordinates;
   const Spheres spheres =
       spheresAround (inputWithoutSearch(), points, radius, one_thread);
-  const auto& [x, y, z] = spheres.points;
-  EXPECT_TRUE (
-      std::is_permutation (x.begin(), x.end(), points.x.begin(), points.x.end()));
+  EXPECT_EQ (sortedPositions (spheres.points), sortedPositions (points));
   Indices sphere{99, 98, 97}; // indices of no points, which find must overwrite
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     spheres.find (i, sphere);
@@ -177,8 +192,8 @@ TEST (DrawHypothesis, DrawsAgainUntilThePointsMakeATriangle)
 TEST (SampleLocalPlanes, AcceptsAsManySpheresAsTheBinomialDistributionOfInliersSays)
 {
   // A sphere is accepted if its center is on the patch, as a lone point has no points
-  // within r1 for a hypothesis, and if more than 64 of 80 tested points (alpha_min
-  // N_loc of N_loc) are on the patch, too.
+  // near enough (r1) for a hypothesis, and if more than alpha_min of its N_loc tested
+  // points are on the patch, too.
   constexpr int size = 1000;
   constexpr double hypotheses_per_point = 5.0;
   LocalSamplingParameters parameters;
@@ -192,7 +207,8 @@ TEST (SampleLocalPlanes, AcceptsAsManySpheresAsTheBinomialDistributionOfInliersS
     const auto accepted =
         static_cast<double> (sampleInSpheresOfAll (points, parameters).moments.size());
     const double probability =
-        inlier_share * probabilityOfMoreThan (64, 80, inlier_share);
+        inlier_share *
+        probabilityOfMoreThan (int (alpha_min * n_loc), n_loc, inlier_share);
     constexpr double tries = hypotheses_per_point * size;
     const double standard_deviation =
         std::sqrt (tries * probability * (1.0 - probability));
@@ -212,7 +228,8 @@ TEST (SampleLocalPlanes, EndsAtTheLimitOfInliersHypothesesOrVisits)
   few_hypotheses.max_hypotheses_per_point = 0.5;
   EXPECT_EQ (samplePatch (200, few_hypotheses).hypotheses, 100u);
   few_visits.max_inliers_per_point = no_limit;
-  // Each hypothesis costs the 200 points of its sphere and 100 more: 1.5 visits per
+  // A visit is a point looked at (max_visits_per_point). Each hypothesis costs the 200
+  // points of its sphere and 100 more, which stand for all other work: 1.5 visits per
   // point.
   few_visits.max_visits_per_point = 7 * 1.5;
   EXPECT_EQ (samplePatch (200, few_visits).hypotheses, 7u);
@@ -253,12 +270,13 @@ TEST (SampleLocalPlanes, CountsDrawsThatGiveNoTriangle)
 
 TEST (SampleLocalPlanes, SkipsSpheresWithFewerPointsThanTestedPoints)
 {
-  EXPECT_FALSE (samplePatch (80, {}).moments.empty()); // N_loc is 80
-  LocalSamplingParameters without_limit;
-  without_limit.max_visits_per_point = no_limit;
-  const LocalPlanes skipped = samplePatch (79, without_limit);
+  EXPECT_FALSE (samplePatch (n_loc, {}).moments.empty());
+  LocalSamplingParameters without_visit_limit;
+  without_visit_limit.max_visits_per_point = no_limit;
+  const LocalPlanes skipped = samplePatch (n_loc - 1, without_visit_limit);
   EXPECT_TRUE (skipped.moments.empty());
-  EXPECT_EQ (skipped.hypotheses, 79u) << "K_max: one per point";
+  EXPECT_EQ (skipped.hypotheses, 79u)
+      << "one per point: K_max, max_hypotheses_per_point";
 }
 
 TEST (SampleLocalPlanes, CountsAllInliersOfTheSphereOrTheTestedOnesAlone)
@@ -266,12 +284,16 @@ TEST (SampleLocalPlanes, CountsAllInliersOfTheSphereOrTheTestedOnesAlone)
   Coordinates points;
   addPatch (900, points);
   addLonePoints (50, points);
-  for (const Moments& inliers : sampleInSpheresOfAll (points, {}).moments)
+  const LocalPlanes with_all = sampleInSpheresOfAll (points, {});
+  EXPECT_FALSE (with_all.moments.empty());
+  for (const Moments& inliers : with_all.moments)
     EXPECT_EQ (inliers.count, 900.0);
   LocalSamplingParameters tested_alone;
   tested_alone.inliers = LocalSamplingParameters::Inliers::Samples;
-  for (const Moments& inliers : samplePatch (900, tested_alone).moments)
-    EXPECT_EQ (inliers.count, 80.0);
+  const LocalPlanes with_tested = samplePatch (900, tested_alone);
+  EXPECT_FALSE (with_tested.moments.empty());
+  for (const Moments& inliers : with_tested.moments)
+    EXPECT_EQ (inliers.count, n_loc);
 }
 
 TEST (Spheres, HoldThePointsWithinTheRadiusAlsoAmongDuplicatesAndBesidePointsFarAway)

@@ -142,15 +142,16 @@ TEST (OnePointRansac, DrawsFromTheCandidatesOnly)
   EXPECT_TRUE (isNear (plane.value(), scene.surfaces[1], 1e-6, 1e-6));
 }
 
-TEST (OnePointRansac, FindsAPlaneOnlyOfMoreSamplesThanThetaNAlsoIfItCountsAllPoints)
+TEST (OnePointRansac, NeedsMoreThanThetaNSamplesEvenIfItIsVerifiedOnAllPoints)
 {
   // Ten candidates on a floor of a thousand points. theta_N, min_samples, always counts
   // samples, also if hypotheses are verified on all points.
   const auto samples = samplesOf (Scene().floor (4_m, 2.5_m).spacing (10_cm).build());
   Coordinates all_points = samples;
-  Coordinates* const no_points = nullptr; // verifies on the samples
+  Coordinates* const on_samples = nullptr;
+  Coordinates* const on_all_points = &all_points;
   RansacParameters parameters = parametersWithThreshold();
-  for (Coordinates* const verified : {no_points, &all_points})
+  for (Coordinates* const verified : {on_samples, on_all_points})
     for (const std::size_t min_samples : {9, 10}) {
       parameters.min_samples = min_samples;
       const Candidates ten_samples{samples, upTo (10), verified};

@@ -27,8 +27,9 @@ absorbersIn (const VoxelScene& scene)
   return absorbPlanes (scene.grid(), noise_factor, scene.planes);
 }
 
+// Plane 1 beside the ground, which is plane 0: who absorbs it.
 constexpr std::int32_t by_ground = 0;
-constexpr std::int32_t by_none = 1; // the strip, which is plane 1, keeps its own index
+constexpr std::int32_t by_none = 1; // it keeps its own index
 
 /** \brief Index of the plane that absorbs a strip 10 cm wide beside the ground.
  * \param[in] height of the strip above the ground [m]
@@ -66,7 +67,21 @@ TEST (Absorption, GivesSplintersToThePlaneAroundThem)
   }
 }
 
-TEST (Absorption, TakesAPlaneThatTouchesOneAndIsNoHigherThanTheNoiseOfBothExplains)
+TEST (Absorption, GoesOnToTheNeighborsOfAPlaneThatItTook)
+{
+  // Three strips of the ground: plane 1, plane 0 and plane 2, which are 70 cm, 20 cm
+  // and 1.1 m wide. Plane 0 fits plane 1 better, which has more noise. Only after plane
+  // 1 has absorbed it, planes 1 and 2 touch.
+  VoxelScene scene ({{ground}}, 5_mm);
+  for (int added = 0; added < 2; ++added)
+    scene.addPlane (scene.planes.planes[0]);
+  scene.label (1, [] (const Eigen::Vector3d& centroid) { return centroid.x() < 0.7; });
+  scene.label (2, [] (const Eigen::Vector3d& centroid) { return centroid.x() > 0.9; });
+  scene.planes.noise[1] = 9_mm;
+  EXPECT_EQ (absorbersIn (scene), (pcl_ops::Labels{2, 2, 2}));
+}
+
+TEST (Absorption, JoinsPlanesThatTouchIfTheirStepIsWithinTheirNoise)
 {
   const struct {
     const char* other;
@@ -86,7 +101,7 @@ TEST (Absorption, TakesAPlaneThatTouchesOneAndIsNoHigherThanTheNoiseOfBothExplai
   }
 }
 
-TEST (Absorption, TakesABumpThatTheNoiseOfBothExplainsButNoRoughPatchOfACleanPlane)
+TEST (Absorption, NeedsTheNoiseOfBothPlanesToExplainTheStep)
 {
   EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 9_mm), by_ground);
   EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 1_mm), by_none) << "a clean strip";
@@ -94,7 +109,7 @@ TEST (Absorption, TakesABumpThatTheNoiseOfBothExplainsButNoRoughPatchOfACleanPla
   EXPECT_EQ (absorberOfStrip (8_cm, 5_mm, 5_cm), by_none) << "a rough strip";
 }
 
-TEST (Absorption, WeighsWhatAPlaneHasElsewhere)
+TEST (Absorption, CountsPointsOutsideTheseVoxels)
 {
   // The smaller plane is absorbed by the larger one. In these voxels plane 1, which is
   // 6 mm above plane 0, has more points: it also gets the last row of voxels of plane

@@ -40,7 +40,7 @@ struct EvaluationSummary {
   std::size_t clouds = 0;
   std::size_t new_rows = 0;
   std::size_t broken_clouds = 0; // clouds that could not be loaded
-  std::size_t failed_runs = 0;   // runs of a detector that threw an exception; no row
+  std::size_t failed_runs = 0;   // threw an exception, or a signal ended them; no row
   /** Runs that the time limit ended. The row has the limit as detection_ms, and no
    * metrics. */
   std::size_t stopped_runs = 0;

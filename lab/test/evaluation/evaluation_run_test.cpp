@@ -17,6 +17,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace {
 
@@ -34,6 +35,14 @@ rowOfPoints (const std::string& name)
             cloud.truth = PlaneLabels (10, 1);
             return cloud;
           }};
+}
+
+/** Returns a detector of others, which runs in a process of its own. */
+Configuration
+peer (const std::string& name, decltype (Configuration::run) run)
+{
+  constexpr bool is_peer = true;
+  return {name, {}, std::move (run), is_peer};
 }
 
 /** Returns a detector that gives the first \p labeled points the label 1 and counts its
@@ -82,9 +91,11 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   EXPECT_EQ (summary.clouds, 2u);
   EXPECT_EQ (summary.new_rows, 4u);
   const std::string rows = contentOf (file);
-  for (const char* row : // up to the segmentation accuracy of all points, and the time
-       {"\nrows,a,exact,all-right,42,10,1,1,7,1,1,1,.*,1500,0,",
-        "\nrows,b,exact,half-right,42,10,1,1,7,1,0.5,0.5,.*,1500,0,"})
+  // data_set,cloud,truth,configuration,seed,points,truth_planes,result_planes,
+  // planes_before_merging,classification_accuracy,segmentation_accuracy,
+  // segmentation_accuracy_all, ..., detection_ms
+  for (const char* row : {"\nrows,a,exact,all-right,42,10,1,1,7,1,1,1,.*,1500,0,",
+                          "\nrows,b,exact,half-right,42,10,1,1,7,1,0.5,0.5,.*,1500,0,"})
     EXPECT_TRUE (std::regex_search (rows, std::regex (row))) << rows;
 }
 
@@ -115,7 +126,7 @@ TEST_F (EvaluationRunTest, EveryMetricHasAColumn)
       EXPECT_TRUE (contains (header + ',', ',' + named.first + ',')) << named.first;
 }
 
-TEST_F (EvaluationRunTest, ChangedCloudsAgreeAsFarAsTheirLabels)
+TEST_F (EvaluationRunTest, RowsTellHowFarLabelsOfChangedCloudsAgree)
 {
   // The first five of ten points are a plane. If thinning leaves one of the five out,
   // the plane has the other four and the sixth point.
@@ -129,6 +140,7 @@ TEST_F (EvaluationRunTest, ChangedCloudsAgreeAsFarAsTheirLabels)
   plan.runs_on_changes = true;
   run();
   EXPECT_EQ (calls, 1 + 1 + int (cloud_changes.size()));
+  // moved, turned, thinned, jittered, rounded
   EXPECT_TRUE (std::regex_search (contentOf (file),
                                   std::regex ("half-right.*,1,1,(1|0\\.8),1,1\n")))
       << contentOf (file);
@@ -174,7 +186,7 @@ TEST_F (EvaluationRunTest, APeerThatTakesTooLongIsStoppedAndNotTriedAgain)
     }
     return {};
   };
-  plan.configurations = {{"hanging", {}, hang, true}};
+  plan.configurations = {peer ("hanging", hang)};
   plan.clouds.resize (1);
   plan.time_limit = 1;
   EXPECT_EQ (run().stopped_runs, 1u);
@@ -190,15 +202,15 @@ TEST_F (EvaluationRunTest, ADetectorThatFailsAndAPeerThatCrashesAreSaidAndCounte
   const auto fail = [] (const auto&, const auto&) -> DetectorRun {
     throw std::runtime_error ("no memory");
   };
-  plan.configurations.insert (plan.configurations.begin(),
-                              {{"crashing", {}, crash, true},
-                               {"failing", {}, fail, true},
-                               {"failing here", {}, fail}});
+  plan.configurations.insert (
+      plan.configurations.begin(),
+      {peer ("crashing", crash), peer ("failing", fail), {"failing here", {}, fail}});
   const EvaluationSummary summary = run();
   EXPECT_EQ (summary.failed_runs, 6u);
   EXPECT_EQ (summary.new_rows, 4u);
-  for (const char* message :
-       {"failing failed on a: no memory", "failing here failed on a: no memory"})
+  for (const char* message : {"crashing failed on a: ",
+                              "failing failed on a: no memory",
+                              "failing here failed on a: no memory"})
     EXPECT_TRUE (contains (messages.str(), message));
 }
 
@@ -213,7 +225,7 @@ TEST_F (EvaluationRunTest, ToldOfNoDetectorItOnlySavesTheClouds)
   EXPECT_EQ (lines (contentOf (file)), 1u) << "the header alone";
 }
 
-TEST_F (EvaluationRunTest, OnesOwnLabelsAreAskedForByCloudAndReadAgain)
+TEST_F (EvaluationRunTest, LabelsOfTheUsersFilesAreReadAgainInEachRun)
 {
   std::set<std::string> asked;
   Configuration own = labeling ("own", 10, calls);
@@ -238,13 +250,14 @@ TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
   run();
   const std::string before = contentOf (file);
   plan.clouds.push_back (rowOfPoints ("c"));
-  std::signal (SIGXFSZ, SIG_IGN);
+  const auto usual_handler = std::signal (SIGXFSZ, SIG_IGN);
   rlimit usual{};
   ::getrlimit (RLIMIT_FSIZE, &usual);
   const rlimit as_on_a_full_disk{before.size() + 20, usual.rlim_max};
   ::setrlimit (RLIMIT_FSIZE, &as_on_a_full_disk);
   EXPECT_THROW (run(), pcl_ops::apps::OutputError);
   ::setrlimit (RLIMIT_FSIZE, &usual);
+  std::signal (SIGXFSZ, usual_handler);
   EXPECT_EQ (contentOf (file), before);
   EXPECT_EQ (run().new_rows, 2u);
 }

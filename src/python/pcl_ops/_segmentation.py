@@ -59,8 +59,9 @@ def segment(
     falling number of points, in the frame of the array.
 
     Raises ValueError or TypeError, which name the argument at fault. Warns by ResultWarning of
-    what is doubtful, also if no up is given and the planes suggest another one than z, or if
-    they cannot tell it for "auto"; planes.warnings has the same warnings.
+    what is doubtful, also if the planes cannot tell an up for "auto", or, with the default of
+    method and preset, if no up is given and the planes suggest another one than z;
+    planes.warnings has the same warnings.
     """
     preset_parameters = _preset(method, preset)
     wants_pieces = checked_flag("pieces", pieces)
@@ -69,20 +70,20 @@ def segment(
     sensor = finite_vector("viewpoint", viewpoint)
     array = points_array(points)
     single, origin = single_precision(array)
-    seen = single, origin, sensor
+    cloud = single, origin, sensor
     found_up = None  # direction and confidence, for up="auto"
     up_warning = None
-    is_up_known = "up" in parameters
+    is_up_given = "up" in parameters
     if _is_auto(parameters.get("up")):
-        found_up = _up_of_default(seen, parameters)
+        found_up = _up_of_default(cloud, parameters)
         up_warning = None if found_up else ResultWarning(
             "unknown-up", "up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)")
         parameters["up"] = (0.0, 0.0, 1.0) if found_up is None else found_up[0]
     used = with_given(preset_parameters, parameters)
-    segments, voxel_size, distance_threshold = _pcl_ops.segment(*seen, used)
-    if "up" not in parameters and (method, preset) == ("ops", "default"):
-        up_warning = _warning_of_suggested_up(seen, segments, used)
-    warnings = _warnings_of(seen, segments, used, is_up_known)
+    segments, voxel_size, distance_threshold = _pcl_ops.segment(*cloud, used)
+    if not is_up_given and (method, preset) == ("ops", "default"):
+        up_warning = _warning_of_suggested_up(cloud, segments, used)
+    warnings = _warnings_of(cloud, segments, used, is_up_given)
     lies_on = [None] * len(segments)
     if wants_pieces:
         segments, lies_on = _pcl_ops.pieces(
@@ -91,15 +92,17 @@ def segment(
     for plane, number in zip(planes, lies_on):
         plane._lies_on = number
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
-    known = parameters_of(used)
-    planes.up = known["up"][0]
+    values = parameters_of(used)
+    planes.up = values["up"][0]
     planes.up_confidence = found_up and found_up[1]
-    name_together(planes, planes.up, known["angle_tolerance"][0], sensor)
-    # That kinds of planes need the up axis is told when somebody asks for kinds.
+    name_together(planes, planes.up, values["angle_tolerance"][0], sensor)
+    # unknown-up matters only for kinds of planes: it is kept until one is asked for.
     planes._warning_of_kinds = None if up_warning else next(
         (warning for warning in warnings if warning.code == "unknown-up"), None)
     others = [warning for warning in warnings if warning.code != "unknown-up"]
-    for warning in ([up_warning] if up_warning else []) + others[:MAX_WARNINGS]:
+    if up_warning:
+        others.insert(0, up_warning)
+    for warning in others[:MAX_WARNINGS]:
         planes._warn(warning, 3)
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
@@ -109,40 +112,40 @@ def segment(
 
 # What the extension gets of a cloud: the points, the origin that they are relative to, and the
 # position of the sensor, relative to zero of the user's array.
-_Seen = Tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float64]]
+_Cloud = Tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float64]]
 
 
 def _is_auto(up: Any) -> bool:
     return isinstance(up, str) and up == "auto"
 
 
-def _up_of(seen: _Seen, segments: Any) -> Optional[Tuple[NDArray[np.float64], float]]:
+def _up_of(cloud: _Cloud, segments: Any) -> Optional[Tuple[NDArray[np.float64], float]]:
     """Direction and confidence of the up axis that the planes tell.
 
     None if they tell none, or if the points cannot have been seen from the sensor's position.
     """
-    single, origin, sensor = seen
+    single, origin, sensor = cloud
     found = _pcl_ops.up_axis(segments, sensor, _pcl_ops.estimate_up_axis())
     return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
 
 
 def _up_of_default(
-    seen: _Seen, parameters: Dict[str, Any]
+    cloud: _Cloud, parameters: Dict[str, Any]
 ) -> Optional[Tuple[NDArray[np.float64], float]]:
     """The same as _up_of, by planes that the default preset finds in the cloud.
 
     What the confidence means was measured for such planes.
     """
-    known = {name: parameters[name] for name in ("seed", "threads") if name in parameters}
-    return _up_of(seen, _pcl_ops.segment(*seen, with_given(_pcl_ops.ops(), known))[0])
+    given = {name: parameters[name] for name in ("seed", "threads") if name in parameters}
+    return _up_of(cloud, _pcl_ops.segment(*cloud, with_given(_pcl_ops.ops(), given))[0])
 
 
-def _warning_of_suggested_up(seen: _Seen, segments: Any, used: Any) -> Optional[ResultWarning]:
+def _warning_of_suggested_up(cloud: _Cloud, segments: Any, used: Any) -> Optional[ResultWarning]:
     """A warning that the planes suggest another up axis than the one used, or None."""
-    found = _up_of(seen, segments)
-    known = parameters_of(used)
+    found = _up_of(cloud, segments)
+    values = parameters_of(used)
     # The sign does not matter: with the opposite up, planes have the same orientations.
-    if not found or abs(found[0] @ known["up"][0]) >= np.cos(known["angle_tolerance"][0]):
+    if not found or abs(found[0] @ values["up"][0]) >= np.cos(values["angle_tolerance"][0]):
         return None
     x, y, z = np.round(found[0], 2) + 0.0  # adding 0 makes -0 positive
     return ResultWarning(
@@ -150,18 +153,18 @@ def _warning_of_suggested_up(seen: _Seen, segments: Any, used: Any) -> Optional[
         "or up=(0, 0, 1) where z is")
 
 
-def _warnings_of(seen: _Seen, segments: Any, used: Any, is_up_known: bool) -> List[ResultWarning]:
+def _warnings_of(cloud: _Cloud, segments: Any, used: Any, is_up_given: bool) -> List[ResultWarning]:
     """The warnings that the programs give, the most important first."""
-    single, origin, sensor = seen
-    known = parameters_of(used)
+    single, origin, sensor = cloud
+    values = parameters_of(used)
     context = _pcl_ops.ResultContext()
     if sensor.any():
         context.viewpoint = sensor
     context.uses_kinds = True
-    context.set_up(np.asarray(known["up"][0], np.float64), is_up_known)
+    context.set_up(np.asarray(values["up"][0], np.float64), is_up_given)
     uses_neighborhoods = (
-        "sampling" in known and known["sampling"][0] in ("automatic", "neighborhoods")
-        and known["surfels_voxel_size"][0] is None)
+        "sampling" in values and values["sampling"][0] in ("automatic", "neighborhoods")
+        and values["surfels_voxel_size"][0] is None)
     if uses_neighborhoods:
         context.search = used
     return [ResultWarning(code, text)
@@ -217,9 +220,10 @@ def evaluate(
         none = checked_number("none", none, lambda _: True, "a label or None", int)
     true_planes = plane_numbers("truth", truth, shape, -1 if none is None else none)
     found_planes = plane_numbers("result", result, shape, -1)
-    # In these numbers 1 was the label 0, and 0 a negative label.
-    is_label_0_ambiguous = true_planes.min() == 1 and found_planes.min() == 0
-    if none is None and is_label_0_ambiguous:
+    # plane_numbers makes the label 0 a 1, and negative labels 0.
+    has_truth_0_but_no_negative = true_planes.min() == 1
+    has_result_negative = found_planes.min() == 0
+    if none is None and has_truth_0_but_no_negative and has_result_negative:
         raise ValueError(
             "truth: has the label 0 and no negative one; give none=0 if 0 stands for no plane, "
             "as in files, or none=-1 if it is a plane")

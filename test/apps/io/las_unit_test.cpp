@@ -12,9 +12,10 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-// Keys of GeoTIFF, then values of the keys of the model and of units.
-constexpr std::uint16_t unit_of_length = 3076, unit_of_heights = 4099;
-constexpr std::uint16_t projected = 1, geographic_model = 2;
+// Keys of GeoTIFF; las_bytes.h has those that other tests need, too.
+constexpr std::uint16_t linear_unit_key = 3076, vertical_unit_key = 4099;
+// Values of model_type, then of keys of units.
+constexpr std::uint16_t model_projected = 1, model_geographic = 2;
 constexpr std::uint16_t meter = 9001, foot = 9002, us_foot = 9003;
 
 class LasUnitTest : public CloudFolder {
@@ -75,20 +76,21 @@ protected:
   }
 };
 
-const std::string geographic =
+const std::string geographic_wkt =
     R"(GEOGCS["WGS 84",DATUM["d",SPHEROID["s",6378137,298]],UNIT["degree",0.0174]])";
 
 } // namespace
 
 TEST_F (LasUnitTest, IsTheUnitOfXAndY)
 {
-  EXPECT_EQ (unitInWkt ("PROJCS[\"UTM\"," + geographic + ",UNIT[\"metre\",1]]"),
+  EXPECT_EQ (unitInWkt ("PROJCS[\"UTM\"," + geographic_wkt + ",UNIT[\"metre\",1]]"),
              LasUnit::Meter);
-  EXPECT_EQ (unitInWkt ("PROJCS[\"a\"," + geographic + ",UNIT[\"Foot_US\",0.3048]]"),
-             LasUnit::Foot);
+  EXPECT_EQ (
+      unitInWkt ("PROJCS[\"a\"," + geographic_wkt + ",UNIT[\"Foot_US\",0.3048006]]"),
+      LasUnit::Foot);
   EXPECT_EQ (unitInWkt ("PROJCRS[\"a\",CS[Cartesian,2],LENGTHUNIT[\"foot\",0.3048]]"),
              LasUnit::Foot);
-  EXPECT_EQ (unitInWkt (geographic), LasUnit::Degree);
+  EXPECT_EQ (unitInWkt (geographic_wkt), LasUnit::Degree);
   EXPECT_EQ (unitInWkt ("LOCAL_CS[\"mine\"]"), LasUnit::Unknown);
 }
 
@@ -99,10 +101,10 @@ TEST_F (LasUnitTest, IsNotTheUnitOfHeights)
              LasUnit::Meter);
 }
 
-TEST_F (LasUnitTest, IsFoundBehindANameThatHasAWordOfHeights)
+TEST_F (LasUnitTest, IsFoundBehindANameThatHasAKeywordOfHeights)
 {
   const std::string name = "California zone 6 (ftUS), vertical NAVD88, VERT_CS[";
-  const std::string projected_part = "PROJCS[\"" + name + "\"," + geographic +
+  const std::string projected_part = "PROJCS[\"" + name + "\"," + geographic_wkt +
                                      ",UNIT[\"US survey foot\",0.3048006096012192]]";
   EXPECT_EQ (unitInWkt (projected_part), LasUnit::Foot);
   EXPECT_EQ (unitInWkt ("COMPD_CS[\"" + name + "\"," + projected_part +
@@ -120,6 +122,7 @@ TEST_F (LasUnitTest, IsNotTheUnitOfTheRangeOfHeightsInAUsage)
 
 TEST_F (LasUnitTest, OfHeightsIsTheUnitOfTheVerticalSystem)
 {
+  // The name of the system has a keyword, which must not count.
   const std::string begin = "COMPD_CS[\"VERT_CS[\",PROJCS[\"b\",UNIT[\"metre\",1]]";
   const std::string end = "[\"c\",VERT_DATUM[\"d\",2005],UNIT[\"foot\",0.3048]]]";
   for (const char* keyword : {"VERT_CS", "vertcrs", "VERTICALCRS", "VERT_CS \n"})
@@ -130,29 +133,31 @@ TEST_F (LasUnitTest, OfHeightsIsTheUnitOfTheVerticalSystem)
 
 TEST_F (LasUnitTest, OfHeightsIsReadFromTheKeysOfAFile)
 {
-  EXPECT_EQ (heightUnitWithKeys ({{unit_of_length, meter}, {unit_of_heights, us_foot}}),
-             LasUnit::Foot);
-  EXPECT_EQ (heightUnitWithKeys ({{unit_of_length, foot}, {unit_of_heights, meter}}),
+  EXPECT_EQ (
+      heightUnitWithKeys ({{linear_unit_key, meter}, {vertical_unit_key, us_foot}}),
+      LasUnit::Foot);
+  EXPECT_EQ (heightUnitWithKeys ({{linear_unit_key, foot}, {vertical_unit_key, meter}}),
              LasUnit::Meter);
-  EXPECT_EQ (heightUnitWithKeys ({{unit_of_length, foot}}), LasUnit::Unknown);
+  EXPECT_EQ (heightUnitWithKeys ({{linear_unit_key, foot}}), LasUnit::Unknown);
 }
 
 TEST_F (LasUnitTest, IsReadFromTheTextOfAFile)
 {
-  EXPECT_EQ (unitWithText ("PROJCS[\"a\",UNIT[\"US survey foot\",0.3048]]"),
+  EXPECT_EQ (unitWithText ("PROJCS[\"a\",UNIT[\"US survey foot\",0.3048006]]"),
              LasUnit::Foot);
   EXPECT_EQ (unitWithText (""), LasUnit::Unknown);
 }
 
 TEST_F (LasUnitTest, IsReadFromTheKeysOfAFile)
 {
-  const auto unit_of_projected = [&] (std::uint16_t key, std::uint16_t value) {
-    return unitWithKeys ({{model_type, projected}, {key, value}});
+  const auto unitOfProjected = [&] (std::uint16_t linear_unit) {
+    return unitWithKeys (
+        {{model_type, model_projected}, {linear_unit_key, linear_unit}});
   };
-  EXPECT_EQ (unit_of_projected (unit_of_length, meter), LasUnit::Meter);
-  EXPECT_EQ (unit_of_projected (unit_of_length, foot), LasUnit::Foot);
-  EXPECT_EQ (unit_of_projected (unit_of_length, us_foot), LasUnit::Foot);
-  EXPECT_EQ (unitWithKeys ({{model_type, geographic_model}}), LasUnit::Degree);
+  EXPECT_EQ (unitOfProjected (meter), LasUnit::Meter);
+  EXPECT_EQ (unitOfProjected (foot), LasUnit::Foot);
+  EXPECT_EQ (unitOfProjected (us_foot), LasUnit::Foot);
+  EXPECT_EQ (unitWithKeys ({{model_type, model_geographic}}), LasUnit::Degree);
   LasFile cut_short = fileWithNumbers ({1, 1});
   EXPECT_EQ (unitOf (cut_short), LasUnit::Unknown);
 }
@@ -162,7 +167,7 @@ TEST_F (LasUnitTest, IsFeetByTheNumberOfASystemWhereNoKeyTellsTheUnit)
   constexpr std::uint16_t california_in_us_feet = 2230, utm_zone_32 = 32632;
   EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet}}), LasUnit::Foot);
   EXPECT_EQ (unitWithKeys (
-                 {{projected_system, california_in_us_feet}, {unit_of_length, meter}}),
+                 {{projected_system, california_in_us_feet}, {linear_unit_key, meter}}),
              LasUnit::Meter);
   EXPECT_EQ (unitWithKeys ({{projected_system, utm_zone_32}}), LasUnit::Unknown);
 }

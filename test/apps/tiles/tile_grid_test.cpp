@@ -53,7 +53,7 @@ TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
   EXPECT_FALSE (wide.isSeenOnlyBy ({0, 1}, {120, 120, 0}));
 }
 
-TEST (TileGrid, HasFramesInWholeCoarsestVoxelsNearThePoints)
+TEST (TileGrid, PutsZeroOfATilesFrameAsNearToThePointsAsTheTileAllows)
 {
   const CellKey near_points{100, -52, 8};
   const TileGrid grid_near_points{0.5, 24, near_points};
@@ -62,15 +62,15 @@ TEST (TileGrid, HasFramesInWholeCoarsestVoxelsNearThePoints)
   EXPECT_EQ (grid_near_points.frameOf ({0, -9}), (CellKey{24, -192, 8}));
 }
 
-using Parts = std::vector<std::size_t>;
+using Positions = std::vector<std::size_t>;
 
 TEST (Ranks, ShareTheWorkEvenlyTheLargestPartsFirst)
 {
-  const std::vector<std::uint64_t> parts = {1, 6, 2, 3, 4};
-  EXPECT_EQ (shareOf (0, 2, parts), (Parts{1, 2})) << "6 and 2";
-  EXPECT_EQ (shareOf (1, 2, parts), (Parts{4, 3, 0})) << "4, 3 and 1";
-  EXPECT_EQ (shareOf (0, 1, parts), (Parts{1, 4, 3, 2, 0}));
-  EXPECT_EQ (shareOf (7, 8, parts), Parts{}) << "more ranks than work";
+  const std::vector<std::uint64_t> work_of_part = {1, 6, 2, 3, 4};
+  EXPECT_EQ (shareOf (0, 2, work_of_part), (Positions{1, 2})) << "6 and 2";
+  EXPECT_EQ (shareOf (1, 2, work_of_part), (Positions{4, 3, 0})) << "4, 3 and 1";
+  EXPECT_EQ (shareOf (0, 1, work_of_part), (Positions{1, 4, 3, 2, 0}));
+  EXPECT_EQ (shareOf (7, 8, work_of_part), Positions{}) << "more ranks than work";
 }
 
 } // namespace
