@@ -71,32 +71,34 @@ struct OptionReport {
   std::size_t dropped;
 };
 
-/** \brief Returns a report on each option, in the order in which they drop planes. But
- * --only is the first one also if it is "largest" and drops planes last.
- * \param[in] dropped how many planes the filter dropped by each condition
+/** \brief Returns a report on each option, in the order in which they drop planes. An
+ * exception is --only largest: it comes first, but drops planes last.
+ * \param[in] by_condition how many planes the filter dropped by each condition
  * \param[in] not_named number of planes that --only does not name */
 std::vector<OptionReport>
 reportsOn (const PlaneChoice& choice,
-           const DroppedPlanes& dropped,
+           const DroppedPlanes& by_condition,
            std::size_t not_named)
 {
   const PlaneFilter& filter = choice.filter;
   // For "largest" the number of planes of the filter is 1 (filterOf).
-  const std::size_t not_largest = choice.only == "largest" ? dropped.by_number : 0;
+  const std::size_t not_largest = choice.only == "largest" ? by_condition.by_number : 0;
   return {
       {"only", choice.only, not_named + not_largest},
       {"direction",
        filter.direction.value_or (Eigen::Vector3d::Zero()),
-       dropped.by_direction},
+       by_condition.by_direction},
       {"within", choice.within, 0},
-      {"slope", choice.slope.value_or (std::array<double, 2>()), dropped.by_slope},
-      {"min-points", filter.min_points, dropped.by_points},
-      {"min-area", filter.min_area, dropped.by_area},
-      {"min-width", filter.min_width, dropped.by_width},
-      {"max-area", filter.max_area.value_or (0.0), dropped.by_max_area},
-      {"max-width", filter.max_width.value_or (0.0), dropped.by_max_width},
-      {"size", filter.size.value_or (std::array<double, 3>()), dropped.by_size},
-      {"max-planes", filter.max_planes.value_or (0), dropped.by_number - not_largest}};
+      {"slope", choice.slope.value_or (std::array<double, 2>()), by_condition.by_slope},
+      {"min-points", filter.min_points, by_condition.by_points},
+      {"min-area", filter.min_area, by_condition.by_area},
+      {"min-width", filter.min_width, by_condition.by_width},
+      {"max-area", filter.max_area.value_or (0.0), by_condition.by_max_area},
+      {"max-width", filter.max_width.value_or (0.0), by_condition.by_max_width},
+      {"size", filter.size.value_or (std::array<double, 3>()), by_condition.by_size},
+      {"max-planes",
+       filter.max_planes.value_or (0),
+       by_condition.by_number - not_largest}};
 }
 
 /** \brief Declares an option that takes a list of numbers.
@@ -214,8 +216,8 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
 
 namespace {
 
-/** \brief Returns PlaneChoice::filter with all members set; its angles are in radians.
- */
+/** \brief Returns PlaneChoice::filter with what it takes from other options: the up
+ * axis, and what --only, --within and --slope say, in radians. */
 PlaneFilter
 filterOf (const PlaneChoice& choice, const Eigen::Vector3d& up)
 {

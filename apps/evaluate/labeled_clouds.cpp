@@ -50,9 +50,9 @@ labelsIn (const pcl::PCLPointCloud2& cloud,
     const double label = numbers[i];
     if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
       throw WorkError (file,
-                       "point " + std::to_string (i) + " has " +
-                           (name == "label" ? "a label" : "an " + name) +
-                           " that is no whole number from 0 on; 0 means no plane");
+                       "point " + std::to_string (i) + ": its " + name +
+                           " is no whole number from 0 on; 0 means " +
+                           (name == "label" ? "no plane" : "that it counts"));
     labels[i] = std::uint32_t (label);
   }
   return labels;
@@ -89,8 +89,8 @@ checkSamePoints (const LabeledCloud& truth,
                          " points, the truth " + std::to_string (truth.cloud->size()) +
                          "; give two labelings of the same cloud");
   const Vector3d shift = result.shift - truth.shift;
-  // Rounding in a text file may move a point that far, relative to the diagonal of the
-  // bounding box.
+  // Rounding in a text file may move a point by up to this share of the diagonal of the
+  // bounding box. Swaps of points that are nearer to each other are not noticed.
   constexpr double max_rounding = 1e-3;
   pcl::PointXYZ lowest;
   pcl::PointXYZ highest;

@@ -121,7 +121,7 @@ draw (const MapShape& shape, const MapScale& scale, Image& image)
     std::sort (columns.begin(), columns.end());
     for (std::size_t i = 0; i + 1 < columns.size(); i += 2) {
       const int left = int (columns[i]);
-      // At least one pixel, so that walls are seen from above.
+      // At least one pixel, so that walls, which are lines from above, are visible.
       const int right = std::max (left + 1, int (columns[i + 1]));
       image.fill (left, row, right, row + 1, colorOfLabel (shape.id));
       image.fill (left + to_right_half,
@@ -280,8 +280,8 @@ mapPicture (std::vector<MapShape> shapes)
   for (const MapShape& shape : shapes)
     draw (shape, scale, image);
   addScaleBar (scale, image);
-  constexpr int lines_without_no_plane = 3;
-  image.addLegend (lines_without_no_plane);
+  constexpr int orientations_alone = 3; // no line for NO PLANE
+  image.addLegend (orientations_alone);
   return image;
 }
 

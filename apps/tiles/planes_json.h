@@ -13,6 +13,7 @@
 namespace pcl_ops::apps {
 
 /** \brief Returns the text of planes.json, without warnings.
+ * \param[in] plan of the run (Plan), no floor plan
  * \param[in] tiles number of tiles that have points */
 std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);

@@ -19,7 +19,7 @@ namespace {
 /** \brief Returns the first input if it is a .las or .laz, else nullptr: its reference
  * system is that of all inputs, which share a frame. */
 std::shared_ptr<LasFile>
-firstLasOf (const Plan& plan)
+firstInputIfLas (const Plan& plan)
 {
   const std::string& file = plan.inputs.front().file;
   return isLasName (file) ? openLas (file) : nullptr;
@@ -63,7 +63,7 @@ setNoise (const std::vector<DenseBox>& boxes, std::vector<PlaneSegment>& planes)
   std::vector<double> all_noises;
   std::vector<std::vector<double>> noises_of_plane (planes.size());
   for (const DenseBox& dense : boxes)
-    if (dense.group < planes.size())
+    if (dense.group < planes.size()) // else around a point on no plane
       if (const std::optional<double> noise = noiseOf (dense)) {
         all_noises.push_back (*noise);
         noises_of_plane[dense.group].push_back (*noise);
@@ -86,7 +86,7 @@ searchOf (const Plan& plan,
       static_cast<double> (sample.shifted.cloud->size()) /
       static_cast<double> (std::max<std::uint64_t> (1, plan.points()));
   for (const DenseBox& dense : boxes)
-    if (dense.group == sample.planes.size())
+    if (dense.group == sample.planes.size()) // around a point on no plane
       search.places_on_none.push_back (viewOf (dense));
   return search;
 }
@@ -107,7 +107,7 @@ withWarnings (const Plan& plan,
   setNoise (boxes, sample.planes);
   ResultContext context;
   context.shift = sample.shifted.shift;
-  const std::shared_ptr<LasFile> las = firstLasOf (plan);
+  const std::shared_ptr<LasFile> las = firstInputIfLas (plan);
   context.unit = las ? coordinateUnitOf (*las) : CoordinateUnit::Unknown;
   context.has_meter = has_meter || plan.meter != 1.0;
   context.tiles = searchOf (plan, sample, boxes);

@@ -60,7 +60,7 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 } // namespace detail
 
 /** \brief Base class of all detectors: takes a cloud and returns planes as other PCL
- * classes do. Its template needs two functions for the parameters of a detector: \c
+ * classes do. Each type of parameters needs two functions, which \ref segment calls: \c
  * validate (parameters), and \c detail::detect (input, parameters), which does the work
  * for all point types.
  * \tparam PointT a point type with x, y, z

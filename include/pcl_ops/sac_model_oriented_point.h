@@ -53,10 +53,10 @@ public:
 
   /** \brief Fits a plane to the inliers by centered least squares.
    * \param[in] inliers indices of points
-   * \param[in] model_coefficients returned unchanged if the inliers span no plane
-   * (fewer than three, or all on a line), or if this or the fitted model is not valid
+   * \param[in] model_coefficients a b c d of the model
    * \param[out] optimized_coefficients a b c d, with the normal on the side of the
-   * model's normal */
+   * model's normal; \p model_coefficients if the inliers span no plane (fewer than
+   * three, or all on a line), or if the given or the fitted model is not valid */
   void
   optimizeModelCoefficients (const pcl::Indices& inliers,
                              const Eigen::VectorXf& model_coefficients,

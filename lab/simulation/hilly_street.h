@@ -26,12 +26,12 @@ struct HillyStreet {
   groundHeight (double x, double y) const;
 };
 
-/** Makes a street whose lidar has 370 to 1,800 azimuth steps. */
+/** Draws a street, and the azimuth steps of its lidar in a turn: 370 to 1,800. */
 HillyStreet
 makeHillyStreet (Seed seed);
 
-/** Scans the street. Walls are planes, points on bushes have label 0, the ground is
- * ignored.
+/** Scans the street. Walls are planes, points on bushes have label 0, those on
+ * the ground have no known truth.
  * \param[in] noise factor on \ref lidar_sigma
  * \param[in] organized see \ref toSurfaceCloud */
 SimulatedCloud

@@ -122,12 +122,14 @@ struct Shape {
    * takes it for whole. */
   double share = 1.0;
 
+  /** Of a rectangle alone. */
   Vector3d
   normal () const
   {
     return u.cross (v);
   }
 
+  /** Of a rectangle alone. */
   Plane
   plane () const
   {

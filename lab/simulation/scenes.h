@@ -31,7 +31,7 @@ Site
 makeFurnishedCorner (Seed seed);
 
 /** Counts the surfaces that have at least 5 of the 48 x 36 pixels of a depth camera.
- * Returns 0 if the depth of any pixel is below 0.7 m.
+ * Returns 0 if the depth of any pixel is below 0.7 m: no camera is held so near.
  * \param[in] pose of the camera */
 int
 countVisibleSurfaces (const Scene& scene, const Isometry3d& pose);
@@ -78,12 +78,12 @@ simulateShapes (std::size_t points, double noise, Seed seed);
 struct Simulation {
   std::string scene = "room"; // see --scene of pcl_ops_simulate
   Seed seed = 1;
-  DepthCamera camera = {};    // for rooms, corners with furniture, walks and tables
-  bool has_raw_depth = false; // CameraNoise::is_raw
+  DepthCamera camera = {};         // for scenes that have no lidar
+  bool has_raw_depth = false;      // CameraNoise::is_raw
   std::string sensor = "lidar-64"; // Lidar::name, for streets and drives
   double noise = 1.0;              // factor on the noise of the scene
   /** Number of points of scans without a sensor position. nullopt: the default of the
-   * scene; a room is then seen by the camera. */
+   * scene; a room or a corner is then seen by the camera. */
   std::optional<double> points = std::nullopt;
   bool organized = false; // see toSurfaceCloud
 

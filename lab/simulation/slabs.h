@@ -16,7 +16,7 @@ constexpr double slabs_sigma = 0.002;
 Scene
 makeSlabs (Seed seed);
 
-/** Draws the number of points of a cloud: 10 to 300 thousand, with a uniform logarithm.
+/** Draws the number of points of a cloud: 10,000 to 300,000, with a uniform logarithm.
  */
 double
 drawPointCountOfSlabs (Seed seed);

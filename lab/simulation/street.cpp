@@ -115,8 +115,8 @@ drawCar (Random& random)
   constexpr double radius = 0.31;       // of a wheel
   constexpr double half_wheel = 0.1;    // half the width of a tire
   constexpr double wheel_inside = 0.05; // from the side of the car inwards to a tire
-  // From the side of the car inwards to the center of the ball that is a hub. It is
-  // less than the radius, so that a cap of the ball bulges out.
+  // A hub is a cap of a ball with the radius of the wheel. The center of the ball lies
+  // this far inside the side of the car, so that the cap bulges out by 6 cm.
   constexpr double hub_inside = 0.25;
   for (const double along : {-0.3, 0.3})
     for (const double side : {-1.0, 1.0}) {
@@ -181,7 +181,8 @@ struct Roadside {
   }
 };
 
-/** Adds up to three bushes to the garden in front of a house, if they have room there.
+/** Adds up to three bushes to the garden in front of a house, each if the garden is
+ * deep enough for it; it may reach over the garden's border.
  * \param[in] middle position of the center of the house along the street [m]
  * \param[in] setback depth of the garden */
 void
@@ -210,16 +211,16 @@ addHouses (Scene& scene, const Roadside& side, Random& random)
   // Distance from the gardens' front to a facade is a multiple of this, and up to 0.04
   // more. Each multiple is used once, so that no two facades are coplanar.
   constexpr double setback_step = 0.4;
-  std::vector<int> setback_steps (std::size_t (side.length / narrowest));
-  std::iota (setback_steps.begin(), setback_steps.end(), 0);
-  for (std::size_t i = setback_steps.size() - 1; i > 0; --i) // Fisher & Yates shuffle
-    std::swap (setback_steps[i], setback_steps[random.below (std::uint32_t (i + 1))]);
+  std::vector<int> multiples (std::size_t (side.length / narrowest));
+  std::iota (multiples.begin(), multiples.end(), 0);
+  for (std::size_t i = multiples.size() - 1; i > 0; --i) // Fisher & Yates shuffle
+    std::swap (multiples[i], multiples[random.below (std::uint32_t (i + 1))]);
   double x = -0.5 * side.length;
-  for (const int steps : setback_steps) {
+  for (const int multiple : multiples) {
     const double width = random.between (narrowest, widest);
     if (x + width > 0.5 * side.length)
       break;
-    const double setback = setback_step * steps + random.between (0.0, 0.04);
+    const double setback = setback_step * multiple + random.between (0.0, 0.04);
     const double middle = x + 0.5 * width;
     scene.add (drawTownHouse (width, random),
                side.poseOnGround (middle, -side.sidewalk - setback));

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -13,9 +14,9 @@ std::size_t
 availableProcessors ();
 
 /** \brief Posts \p calls calls of a task to the worker threads and returns at once. A
- * call runs when a worker has time: perhaps late, perhaps never. There are as many
- * workers as the largest number of calls so far, or as many as the system allows; idle
- * workers sleep.
+ * call runs when a worker has time: perhaps late, perhaps never. So the task, which is
+ * copied, has to own all that it uses. There are as many workers as the largest \p
+ * calls so far, or as many as the system allows; idle workers sleep.
  * \param[in] task must not throw */
 void
 callOnWorkers (std::size_t calls, const std::function<void()>& task);
@@ -47,13 +48,15 @@ forEach (unsigned threads, std::size_t size, Visit&& visit)
 }
 
 /** \brief Calls \p body (begin, end) for each piece as \ref parallelFor does.
- * \return a vector of the results of \p body, in the order of the pieces */
+ * \return a vector of the results of \p body, in the order of the pieces; their type has
+ * a default constructor */
 template <typename Body>
 auto
 parallelPieces (unsigned threads, std::size_t size, std::size_t piece_size, Body&& body)
 {
-  std::vector<decltype (body (size, size))> results ((size + piece_size - 1) /
-                                                     piece_size);
+  using Result = decltype (body (size, size));
+  static_assert (!std::is_same_v<Result, bool>, "elements of vector<bool> share bytes");
+  std::vector<Result> results ((size + piece_size - 1) / piece_size);
   parallelFor (threads, size, piece_size, [&] (std::size_t begin, std::size_t end) {
     results[begin / piece_size] = body (begin, end);
   });

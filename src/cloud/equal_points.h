@@ -11,7 +11,7 @@
 namespace pcl_ops::internal {
 
 /** \brief For each point the lowest index of all points with its coordinates, which may
- * be its own index; or \ref no_reading. */
+ * be its own index; or \ref no_reading. Empty: all points may be used as they are. */
 using FirstAtPlace = std::vector<std::uint32_t>;
 
 /** \brief Marks a point that is no reading: so many points have its coordinates that
@@ -19,15 +19,15 @@ using FirstAtPlace = std::vector<std::uint32_t>;
  * non-finite points. */
 constexpr std::uint32_t no_reading = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief Finds points with equal coordinates if they would dominate other points: if
- * very many points are at one place, or if a large share of all points has duplicates.
+/** \brief Finds points with equal coordinates if there are so many that they would
+ * distort the spacing of the points: if very many points are at one place, or if a
+ * large share of all points has duplicates.
  *
  * The places found do not depend on the order of the points. If nearly all points are
  * distinct, the function reads each only once.
  * \param[in] threads largest number of threads; 0: one for each processor
- * \return for each point the first one at its place, or \ref no_reading; empty if there
- * are too few equal points to matter. If there are missing readings, but too few other
- * equal points, each reading has its own index */
+ * \return empty if there are too few equal points to matter. If there are missing
+ * readings, but too few other equal points, each reading has its own index */
 FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads);
 

@@ -55,12 +55,12 @@ struct PlaneIds {
 PlaneIds
 planeIds (const PlaneLabels& labels);
 
-/** Sets labels with fewer than \p min_points points to 0. The paper: "small planes,
- * with under 50 points, are labeled as other" (IV-A). */
+/** Sets the labels of planes with fewer than \p min_points points to 0. The paper:
+ * "small planes, with under 50 points, are labeled as other" (IV-A). */
 void
 dropSmallPlanes (PlaneLabels& labels, std::size_t min_points);
 
-/** Adds a point to moments. The point is in the frame of Moments::origin. */
+/** Adds a point to moments; it and Moments::origin are in the same frame. */
 inline void
 addTo (Moments& moments, const Vector3d& point)
 {
@@ -71,7 +71,7 @@ addTo (Moments& moments, const Vector3d& point)
 /** Parameters for classifying planes into the paper's three orientations. */
 struct ClassParameters {
   Vector3d up = Vector3d::UnitZ(); // unit vector against gravity
-  /** Largest angle of a horizontal plane to the ground, and of a vertical plane to
+  /** Largest angle of a horizontal plane to the horizontal, and of a vertical plane to
    * \ref up [rad]. */
   double tolerance = paper_angle_tolerance;
 };
@@ -136,8 +136,9 @@ using SizeClasses = std::vector<SizeClass>;
 
 /** The metrics of a result. */
 struct Metrics {
-  /** Number of points that count, of true planes and of found planes. */
-  std::size_t points = 0, truth_planes = 0, result_planes = 0;
+  std::size_t points = 0;        // that count
+  std::size_t truth_planes = 0;  // number of true planes
+  std::size_t result_planes = 0; // number of found planes that count
   /** Metrics under their published names; the page on accuracy defines them. In order:
    * three accuracies; metrics of planes as instances, at an intersection over union of
    * 0.5 and, with suffix _75, at 0.75; of the points on no true plane, the share that

@@ -59,10 +59,10 @@ joinPicked (const Labels& pick, Regions& regions)
 }
 
 // Returns how far the points of a region are from its plane because of noise [m]. The
-// rms distance of a region also has its bend: with the rms distance, a region that
-// bends would take all adjacent pieces of its surface.
+// rms distance would not do: it includes the bend, so that a region that bends would
+// take all adjacent pieces of its surface.
 double
-thicknessOf (const Region& region)
+spreadOf (const Region& region)
 {
   return std::max (region.scatter, region.noise);
 }
@@ -103,10 +103,11 @@ addContacts (const Places& places,
     if (other == no_plane || other == own || isCounted (other))
       continue;
     const Region& other_region = regions.list[other];
-    // Twice as much noise as liesOn allows, but the same bend: the halves of a cambered
-    // road bend, so that their borders lie off each other's planes.
+    // Twice the noise that liesOn allows: at the border of bent regions, as the halves
+    // of a cambered road, places are farther off the other plane than its points are on
+    // average.
     const double noises_of_border = 2.0 * place_constants.noises_of_join;
-    const double reach = noises_of_border * thicknessOf (other_region) +
+    const double reach = noises_of_border * spreadOf (other_region) +
                          place_constants.bend_of_width * other_region.width();
     const double distance = other_region.fit.plane.distance (places.position[place]);
     contacts.push_back ({own, other, std::abs (distance) < reach ? 1 : 0});
@@ -186,7 +187,7 @@ bordersOf (const Places& places,
 bool
 liesOn (const Region& own, const Region& other)
 {
-  const double noise = std::max (thicknessOf (own), thicknessOf (other));
+  const double noise = std::max (spreadOf (own), spreadOf (other));
   const double reach = place_constants.noises_of_join * noise +
                        place_constants.bend_of_width * own.width();
   return detail::meanSquaredDistance (own.moments, other.fit.plane) <= reach * reach;
@@ -203,7 +204,7 @@ areNearlyFlat (const Region& own, const Region& other)
   if (!fit)
     return false;
   const double width = std::sqrt (squared_width_of_variance * fit->variances[1]);
-  const double noise = std::max (thicknessOf (own), thicknessOf (other));
+  const double noise = std::max (spreadOf (own), spreadOf (other));
   const double limit = std::min (place_constants.noises_of_bend * noise,
                                  place_constants.join_bend_of_width * width);
   return fit->variances[0] <= limit * limit;
@@ -237,9 +238,10 @@ fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
   return {contact.own, contact.other, contact.fitting_places + found->fitting_places};
 }
 
-// Returns for each region the index of the region that it picks, or no_plane: one of
-// the larger regions that it touches and whose plane it is a piece of, the one with
-// most Contact::fitting_places, counted from both sides.
+// Returns for each region the index of the region that it picks, or no_plane: of the
+// larger regions whose plane it is a piece of, and on whose plane at least
+// min_share_of_border of its border places lie that touch it, the one with most
+// Contact::fitting_places, counted from both sides.
 Labels
 pickTouching (const Borders& borders, const Regions& regions)
 {
@@ -266,7 +268,7 @@ pickTouching (const Borders& borders, const Regions& regions)
 
 // Returns the attraction of region own by the larger region other over a gap: the
 // points of other over the squared distance of the centroids [1/m^2]; 0 if own is no
-// piece of the plane of other.
+// piece of the plane of other, or the centroids are farther apart than max_gap allows.
 // \param[in] min_cosine of the angle between the normals
 // \param[in] max_noises largest distance to the plane of other, in units of the noise
 double
@@ -280,13 +282,13 @@ attractionOverGap (const Region& own,
   constexpr double max_noise_ratio = 1.5;
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
-  // Regions of exact points have no noise: allow this share of the width.
-  const double allowed_thickness =
+  // Regions of exact points have no noise.
+  const double allowed_share_of_width =
       place_constants.share_of_exact * place_constants.max_exact_thickness;
   const double reach =
       max_noises * std::min (std::max (own.noise, other.noise),
                              max_noise_ratio * std::min (own.noise, other.noise)) +
-      allowed_thickness * own.width();
+      allowed_share_of_width * own.width();
   if (std::abs (other.fit.plane.distance (own.fit.centroid)) > reach)
     return 0.0;
   const double centroid_distance = (own.fit.centroid - other.fit.centroid).norm();

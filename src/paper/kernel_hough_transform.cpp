@@ -141,14 +141,14 @@ mergeAndAssignBounded (const Points& points,
   growAndMergeOnVoxels (grid, parameters, planes);
   clock.lap (durations.merging);
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
-  const std::vector<char> no_voxel_is_left_out;
+  const std::vector<char> left_out_voxels; // none
   assignToBoundedPlanes (points,
                          grid,
                          planes,
                          parameters.distance_threshold,
                          assignment_noise_factor,
                          parameters.threads,
-                         no_voxel_is_left_out,
+                         left_out_voxels,
                          assigned);
   MergingParameters keep_apart;
   keep_apart.enabled = false;
@@ -176,7 +176,8 @@ detectByVotes (const Points& points,
   if (parameters.refit.enabled)
     planes = refitPlanes (planes, clusters, parameters.refit.min_share, theta_h);
   clock.lap (durations.extraction);
-  // assigns points to planes; merges planes by the coplanarity test of the OPS paper
+  // assigns points to planes and merges planes by the coplanarity test of the OPS
+  // paper; bounded planes are merged first
   LabelledPlanes found =
       parameters.refit.enabled
           ? mergeAndAssignBounded (points, clusters, planes, parameters, durations)

@@ -42,8 +42,9 @@ positionIn (const CloudView& cloud, pcl::index_t index)
   return {position[0], position[1], position[2]};
 }
 
-// M_i of one sample, \ref orientSamples. Without a given sigma it is the distance to
-// the farthest neighbor [m].
+// M_i of one sample, see orientSamples.
+// \param[in] given_sigma sigma [m]; without it sigma is the distance to the farthest
+// neighbor
 Eigen::Matrix3d
 weightedScatter (const CloudView& cloud,
                  pcl::index_t sample,
@@ -110,8 +111,8 @@ orientSamples (const CloudView& cloud,
                int k,
                std::optional<double> sigma)
 {
-  // One more than k: the nearest neighbor of a point is the point itself, which is no
-  // q_ij.
+  // One more than k: the nearest neighbor of a point is the point itself, which does
+  // not count as a neighbor (q_ij).
   const auto wanted_neighbors =
       static_cast<int> (std::min (static_cast<std::size_t> (k) + 1, points.size()));
   constexpr std::size_t samples_per_chunk = 256;

@@ -82,14 +82,14 @@ public:
   : heights_ (heights)
   , directions_ (directions)
   , around_ (directions.size())
-  , neighborhoods_with_ (directions.size())
+  , centers_around_ (directions.size())
   {
     for (std::uint32_t direction = 0; direction < directions.size(); ++direction) {
       if (heights.isEmpty (direction))
         continue;
       around_[direction] = directions.around (direction);
       for (const std::uint32_t other : around_[direction])
-        neighborhoods_with_[other].push_back (direction);
+        centers_around_[other].push_back (direction);
     }
   }
 
@@ -100,20 +100,20 @@ public:
     if (!isHighestOf (direction, direction, bin))
       return false;
     for (const std::uint32_t near : around_[direction])
-      for (const std::uint32_t overlapping : neighborhoods_with_[near])
-        if (!isHighestOf (overlapping, direction, bin))
+      for (const std::uint32_t overlapping : centers_around_[near])
+        if (!noneIsHigherIn (overlapping, direction, bin))
           return false;
     return true;
   }
 
 private:
-  /** \brief Whether no bin of \p column within two bins of \p bin is higher than \p bin
-   * of \p direction. */
+  /** \brief Whether no bin of the direction \p other that is at most two bins from \p
+   * bin is higher than the bin \p bin of \p direction. */
   bool
-  isHighestOf (std::uint32_t column, std::uint32_t direction, int bin) const
+  noneIsHigherIn (std::uint32_t other, std::uint32_t direction, int bin) const
   {
     const float height = heights_[direction][bin];
-    const float* const heights = heights_[column];
+    const float* const heights = heights_[other];
     // Of equally high bins, the lower direction, then the lower bin counts as higher.
     const auto comes_first = [&] (int other) {
       const bool is_mirrored = other < 0; // bin -1 is bin 0 of the opposite direction
@@ -132,8 +132,8 @@ private:
   const BallDirections& directions_;
   /** \brief For each direction in use those of its 3 x 3 neighborhood. */
   std::vector<std::vector<std::uint32_t>> around_;
-  /** \brief For each direction those in use whose neighborhood it is in. */
-  std::vector<std::vector<std::uint32_t>> neighborhoods_with_;
+  /** \brief For each direction those in use that have it in their neighborhood. */
+  std::vector<std::vector<std::uint32_t>> centers_around_;
 };
 
 /** \brief A peak of the accumulator. */

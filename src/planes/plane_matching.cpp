@@ -115,14 +115,16 @@ struct PoseEstimate {
     const Eigen::Vector2d slopes =
         -axes.transpose() * second.normal() / second.normal().dot (normal);
     mismatch.slopes_and_height << slopes, normal.dot (between_centers);
-    // From the errors of each patch to the errors of the slopes and height.
+    // From the errors of each patch to the errors of the slopes and height. Their signs
+    // do not matter for the covariance.
     const Matrix3d of_fixed =
         transfer (Eigen::Matrix2d::Identity(), axes.transpose() * between_centers);
     const Matrix3d of_seen = transfer (axes.transpose() * second.axes.leftCols<2>(),
                                        Eigen::Vector2d::Zero());
     mismatch.covariance = of_fixed * covarianceOf (fixed) * of_fixed.transpose() +
                           of_seen * covarianceOf (seen) * of_seen.transpose();
-    // A rotation moves the center of the second patch by its product with this vector.
+    // A rotation moves the center of the second patch by its cross product with this
+    // vector.
     const Vector3d lever = second.center - pose.translation();
     mismatch.by_motion.setZero();
     mismatch.by_motion.row (0).head<3>() = -normal.cross (axes.col (0));
@@ -167,6 +169,8 @@ struct PoseEstimate {
                                                    .ldlt()
                                                    .solve (jacobian * covariance)
                                                    .transpose();
+      // The mismatch is that of the pose moved by \ref motion: take it back to the pose
+      // before.
       motion = -gain * (mismatch.slopes_and_height - jacobian * motion);
       pose = correctedBy (motion, before);
       removed_covariance = gain * jacobian * covariance;
@@ -180,7 +184,7 @@ struct PoseEstimate {
  * are no small errors. */
 constexpr double min_cosine = 0.7;
 
-/** \brief Largest \ref PoseEstimate::squaredDistance of a pair: the 99.7 % quantile of
+/** \brief Largest \ref PoseEstimate::squaredDistance of a pair: the 99.73 % quantile of
  * the chi-squared distribution with three degrees of freedom. In one dimension three
  * standard deviations contain this share. */
 constexpr double max_squared_distance = 14.16;

@@ -260,7 +260,8 @@ filter (const py::list& planes, const PlaneFilter& filter)
 {
   const auto segments = planes.cast<PlaneSegments>();
   const auto extent_of = [&] (const PlaneSegment& segment) {
-    // Python's Plane at the position of the segment has area and size.
+    // keptPlanes calls this with elements of segments: the address tells the position
+    // of the Python Plane, which has measured its hull.
     const py::object plane =
         planes[static_cast<std::size_t> (&segment - segments.data())];
     PlaneExtent extent;
@@ -476,7 +477,8 @@ defineContext (py::module_& module)
 
 /** \brief Finds what is doubtful about a result.
  * \return code and text of each warning, the most important first
- * \param[in] points relative to \p origin */
+ * \param[in] points relative to \p origin; \p planes and \p context are relative to zero
+ * of the user's array */
 std::vector<std::pair<std::string, std::string>>
 warningsOn (const PointRows& points,
             const Eigen::Vector3d& origin,
@@ -535,17 +537,17 @@ using PlaneNumbers = py::array_t<std::uint32_t, py::array::c_style>;
 
 /** \brief Compares a result with the truth. \return a dict of all metrics by name
  * \param[in] truth, result number of each point's plane from 1 on; 0 for no plane
- * \param[in] orientations of these parameters only up axis and tolerance are used, by
- * which planes are horizontal or vertical */
+ * \param[in] parameters only up axis and tolerance are used, by which planes are
+ * horizontal or vertical */
 py::dict
 evaluate (const PlaneNumbers& truth,
           const PlaneNumbers& result,
           const PointRows& points,
-          const PlaneDetectorParameters& orientations)
+          const PlaneDetectorParameters& parameters)
 {
   evaluation::ClassParameters classes;
-  classes.up = orientations.up_axis.cast<double>().stableNormalized();
-  classes.tolerance = orientations.angle_tolerance;
+  classes.up = parameters.up_axis.cast<double>().stableNormalized();
+  classes.tolerance = parameters.angle_tolerance;
   const CloudView view = viewOf (points);
   const auto labels_of = [] (const PlaneNumbers& numbers) {
     return evaluation::PlaneLabels (numbers.data(), numbers.data() + numbers.size());

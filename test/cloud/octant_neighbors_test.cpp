@@ -49,7 +49,7 @@ TEST (OctantOf, CountsEighthsOfATurnFromX)
   }
 }
 
-TEST (OctantOf, OfTheOppositeDirectionIsFourOn)
+TEST (OctantOf, DiffersByFourForOppositeDirections)
 {
   for (const Eigen::Vector2d& direction :
        {Eigen::Vector2d (1, 0), {1, 1}, {0, 1}, {-1, 1}, {0.0, -2.0}, {3, -1}})

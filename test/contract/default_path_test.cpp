@@ -6,7 +6,8 @@
 using pcl_ops::MergingParameters;
 using pcl_ops::PlaneSegment;
 
-// OPS with its default parameters, tested through the public interface.
+// OPS with default parameters, or with the sampling rate of opsOn, tested through the
+// public interface.
 
 namespace {
 

@@ -388,7 +388,7 @@ promiseSaved (const apps::FileCloud& cloud)
   const apps::TemporaryFile& copy = fileOfInputs (extension);
   apps::saveCloud (copy.name(), cloud);
   promise (apps::loadCloud (copy.name()).points.data == cloud.points.data,
-           "the names of columns are those of fields");
+           "a saved cloud is loaded with the same data");
 }
 
 void
@@ -494,6 +494,7 @@ allTargets ()
       {"obj", [] (const Bytes& bytes) { load (bytes, ".obj", promiseSaved); }},
       {"options", readOptions},
       {"ops", [] (const Bytes& bytes) { detect<Ops> (bytes, {}); }},
+      // The corpus keeps an earlier name of this sampling.
       {"ops_leaves",
        [] (const Bytes& bytes) {
          Ops::Parameters parameters;

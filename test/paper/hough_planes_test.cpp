@@ -18,6 +18,8 @@ const Surface bottom{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
 const Surface wall{{0.0, 0.0, 0.1}, {0.0, 2.0, 0.0}, {0.0, 0.0, 1.9}};
 const Surface shelf{{1.5, 0.5, 1.0}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}};
 
+constexpr std::size_t surfaces_of_corner = 3;
+
 /** \brief Clusters of a corner of bottom, wall and shelf.
  * \param[in] max_offset largest distance of a point from its surface [m] */
 OctreeClusters
@@ -39,6 +41,7 @@ TEST (HoughPlanes, WeighAClusterByItsEdgeAndPoints)
   octree.points.resize (1000);
   CoplanarCluster cluster;
   cluster.edge = 2.0;
+  cluster.begin = 0;
   cluster.end = 100;
   constexpr double share_of_edge = 2.0 / 8.0;
   constexpr double share_of_points = 100.0 / 1000.0;
@@ -50,8 +53,10 @@ TEST (HoughPlanes, AreOrderedByFallingWeight)
 {
   constexpr int phi_num = 45, rho_num = 200;
   const OctreeClusters octree = clustersOfCorner (1_mm);
+  const std::vector<HoughPlane> voted = voteForPlanes (octree, phi_num, rho_num);
+  EXPECT_GE (voted.size(), surfaces_of_corner);
   double previous_weight = INFINITY;
-  for (const HoughPlane& plane : voteForPlanes (octree, phi_num, rho_num)) {
+  for (const HoughPlane& plane : voted) {
     double weight = 0.0;
     for (const std::uint32_t cluster : plane.clusters)
       weight += clusterWeight (octree.clusters[cluster], octree);
@@ -66,6 +71,7 @@ TEST (HoughPlanes, ShareNoClusterWhenRefitted)
   constexpr int phi_num = 30, rho_num = 100;
   const OctreeClusters octree = clustersOfCorner (1_cm);
   std::vector<HoughPlane> voted = voteForPlanes (octree, phi_num, rho_num);
+  EXPECT_GE (voted.size(), surfaces_of_corner);
   // Each plane twice, as if each surface had two peaks.
   for (std::size_t i = 0, size = voted.size(); i < size; ++i)
     voted.push_back (HoughPlane (voted[i]));

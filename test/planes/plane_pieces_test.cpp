@@ -93,6 +93,7 @@ positionsOf (const PlanePieces& found, const Cloud& cloud)
 
 TEST (PlanePieces, TilesTenSpacingsApartAreAPieceEach)
 {
+  // By default max_gap is 8 spacings.
   EXPECT_EQ (piecesOf (tiledFloor (10)).pieces.size(), tiles_of_floor);
 }
 
@@ -137,7 +138,7 @@ TEST (PlanePieces, TheGroundOfALidarIsOnePieceThoughItsRingsAreFarApart)
   EXPECT_EQ (piecesOf (ground).pieces.size(), 1u);
 }
 
-TEST (PlanePieces, TheGroundIsOnePieceWhereNoiseMakesRingsWiderThanTheirSpacing)
+TEST (PlanePieces, TheGroundIsOnePieceWhereNoiseExceedsTheSpacingAlongARing)
 {
   const Cloud ground = rings (6, 3_cm);
   EXPECT_EQ (piecesOf (ground).pieces.size(), 1u);
@@ -218,7 +219,7 @@ TEST (PlanePieces, FewPointsArePartOfTheNearestPiece)
 {
   Cloud cloud;
   addSquare (10, 0, 0, cloud);
-  addSquare (4, 0.3, 0, cloud); // 16 points, too few for a piece
+  addSquare (4, 0.3, 0, cloud); // 16 points; a piece needs min_points, 20
   addSquare (8, 0.8, 0, cloud);
   const PlanePieces found = piecesOf (cloud);
   ASSERT_EQ (found.pieces.size(), 2u);

@@ -51,11 +51,12 @@ def seen_from(pose, points):
 
 
 def las(points, geo_keys=()):
-    """The bytes of a LAS 1.2 file. Its integers are millimeters from the smallest coordinates on.
+    """The bytes of a LAS 1.2 file. Coordinates are stored as integers: millimeters above the smallest ones.
 
     geo_keys: pairs of the id and the value of a GeoTIFF key, which describe the reference system
     """
-    offset = np.nanmin(points, axis=0).astype(np.float64)
+    assert np.isfinite(points).all()
+    offset = points.min(axis=0).astype(np.float64)
     point_format, bytes_per_point = 0, 20
     # Of a point of this format only the coordinates are used.
     records = np.zeros(len(points), [("xyz", "<i4", 3), ("rest", "u1", 8)])
@@ -71,7 +72,8 @@ def las(points, geo_keys=()):
         "<4s20xBB68xHIIBHI20x12d",
         b"LASF", 1, 2,  # version 1.2
         header_size, header_size + len(directory),  # where points begin
-        1, point_format, bytes_per_point, len(points),  # first the number of such records
+        1,  # number of variable length records
+        point_format, bytes_per_point, len(points),
         *[0.001] * 3, *offset,  # scale [m] and offset of x, y, z
         *[1e7, 0.0] * 3)  # largest and smallest x, y, z, which pcl_ops does not read
     return header + directory + records.tobytes()

@@ -66,20 +66,20 @@ class Scores(unittest.TestCase):
         self.assertAlmostEqual(accuracy.number({"wild": without_truth(0.2, 0.0)}), 0.2)
 
 
-class Moves(unittest.TestCase):
+class Differences(unittest.TestCase):
     def test_a_change_within_twice_the_scatter_is_noise(self):
         before = with_truth(0.6, scatter=0.02)
         for moved, expected in ((0.039, False), (-0.039, False), (0.041, True), (-0.041, True)):
-            self.assertEqual(accuracy.has_moved(with_truth(0.6 + moved), before), expected)
+            self.assertEqual(accuracy.differs(with_truth(0.6 + moved), before), expected)
 
     def test_four_stored_digits_are_no_change_of_a_set_without_scatter(self):
         before = with_truth(0.6667, scatter=0.0)
-        self.assertFalse(accuracy.has_moved(with_truth(2 / 3), before))
-        self.assertTrue(accuracy.has_moved(with_truth(0.668), before))
+        self.assertFalse(accuracy.differs(with_truth(2 / 3), before))
+        self.assertTrue(accuracy.differs(with_truth(0.668), before))
 
 
 class Lines(unittest.TestCase):
-    def test_a_line_has_both_scores_their_difference_and_a_mark_if_it_moved(self):
+    def test_a_line_has_both_scores_their_difference_and_a_mark_if_they_differ(self):
         before = with_truth(0.6, scatter=0.02)
         self.assertEqual(accuracy.line("rooms", with_truth(0.7), before).split()[:7],
                          ["rooms", "4", "0.700", "0.600", "+0.100", "*", "0.020"])
@@ -96,7 +96,7 @@ class Lines(unittest.TestCase):
         self.assertIn("roofs               absent", lines)
         self.assertEqual(lines[-4], "all 2 sets: 0.4000")
         self.assertEqual(lines[-3], "the 1 sets of both: 0.7000, before 0.6000 (+0.1000); "
-                                    "1 moved by more than their scatter")
+                                    "1 differ by more than twice their scatter")
 
     def test_agreements_are_at_the_end_beside_those_before(self):
         now = {"rooms": agreeing(with_truth(0.7), 0.5), "wild-kitti": agreeing(with_truth(0.7), 1)}

@@ -55,12 +55,12 @@ TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
   }
 }
 
-TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
+TEST (Detectors, OfOthersFindPlanesDownToTheLeastNumberOfPoints)
 {
   XyzCloud::Ptr cloud (new XyzCloud);
   addSquare (*cloud, 40, 0.0, 0.001);
-  const std::size_t floor = cloud->size();
-  addSquare (*cloud, 7, 1.2, 0.001); // 49 points
+  const std::size_t points_of_floor = cloud->size();
+  addSquare (*cloud, 7, 1.2, 0.001); // the board: 49 points
   for (const Configuration& detector : selectConfigurations ("peers,peers-measured")) {
     if (detector.needs_image)
       continue;
@@ -69,7 +69,7 @@ TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
       settings.peer_min_points = min_points;
       const PlaneLabels labels = detector.run (cloud, settings).labels;
       const auto on_board =
-          std::count_if (labels.begin() + std::ptrdiff_t (floor),
+          std::count_if (labels.begin() + std::ptrdiff_t (points_of_floor),
                          labels.end(),
                          [] (std::uint32_t label) { return label != 0; });
       EXPECT_TRUE (min_points == 20u ? on_board > 40 : on_board == 0)
@@ -106,12 +106,14 @@ TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
 TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanTwelveNoises)
 {
   // Hills consist of pieces that are thin each, but thick when merged.
+  int files = 0;
   for (const std::string name : {"lidar/nuscenes_20.pcd",
                                  "lidar/kitti_77.pcd",
                                  "wild/airborne_isprs_fsite8.pcd"}) {
     const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
     if (!fs::exists (file))
-      GTEST_SKIP() << "no " << file;
+      continue;
+    ++files;
     const EvaluationCloud cloud = dataSetOf ("clouds:" + file.string()).at (0).load();
     const auto planes = pcl_ops::detectPlanes (
         *cloud.cloud, pcl_ops::OrientedPointSamplingParameters());
@@ -119,22 +121,25 @@ TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanTwelveNoises)
     for (const pcl_ops::PlaneSegment& plane : planes)
       EXPECT_LE (plane.rms(), 12.0 * plane.noise.value_or (0.0) * (1.0 + 1e-6)) << name;
   }
+  if (files == 0)
+    GTEST_SKIP() << "no clouds in " << PCL_OPS_DATA_DIR;
 }
 
-TEST (Detectors, ProcessorTimeLeavesOutWhatOthersDo)
+TEST (Detectors, ProcessorTimeLeavesOutOtherThreads)
 {
   double wall = 0.0, processor = 0.0;
-  const auto wait = [] {
+  constexpr double spin_time = 30.0; // [ms]
+  const auto spinInAnotherThread = [] {
     std::thread ([] {
       const double start = now (CLOCK_MONOTONIC);
-      while (now (CLOCK_MONOTONIC) < start + 30.0) {
+      while (now (CLOCK_MONOTONIC) < start + spin_time) {
       }
     }).join();
   };
-  timed (wall, wait, CLOCK_MONOTONIC);
-  timed (processor, wait);
-  EXPECT_GE (wall, 30.0);
-  EXPECT_LT (processor, 15.0);
+  timed (wall, spinInAnotherThread, CLOCK_MONOTONIC);
+  timed (processor, spinInAnotherThread);
+  EXPECT_GE (wall, spin_time);
+  EXPECT_LT (processor, 0.5 * spin_time);
 }
 
 TEST (PeerValues, AreThoseOfTheCloudOrAsGiven)

@@ -15,9 +15,9 @@ struct Kind {
   std::optional<double> points;
   /** Largest rounding error of points; grows with the distance to the origin [m]. */
   double largest_rounding;
-  /** Standard deviation of distances to the plane [m], times sqrt (3) where each of
-   * three coordinates errs. 0: distances grow with the depth or with waves and bends.
-   */
+  /** Standard deviation of the noise [m], which bounds the distances to the plane; sqrt
+   * (3) times it if each coordinate errs. 0: it is not constant, so that there is no
+   * bound. */
   double sigma;
   std::size_t min_planes;
   const char* sensor = "lidar-16";
@@ -26,8 +26,9 @@ struct Kind {
   SimulatedCloud
   simulated (std::uint32_t seed, double noise = 1.0, bool organized = false) const
   {
+    constexpr bool has_raw_depth = false;
     return simulate (
-        {scene, seed, {160, 120}, false, sensor, noise, points, organized});
+        {scene, seed, {160, 120}, has_raw_depth, sensor, noise, points, organized});
   }
 };
 
@@ -83,7 +84,7 @@ countsOf (const SimulatedCloud& simulated)
 
 } // namespace
 
-TEST (Clouds, HavePlanesBySizeAndPointsAboutThemByTheNoise)
+TEST (Clouds, AreReproducibleSortedBySizeAndNoisyAsAsked)
 {
   // No draw of a Gaussian with 32 random bits is farther from 0 [sigma].
   constexpr double largest_gaussian = 6.67;

@@ -168,6 +168,7 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
     decimals = _decimals(rows)
     features = []
     for row, rings in zip(rows, outlines):
+        # As --planes FILE.geojson names them: nx, ny, nz.
         properties = {name.replace("normal_", "n"): value for name, value in row.items()}
         coordinates = _nested(rings, decimals, ",", "[]", "[]")
         # A polygon without area on the map is not valid: upright planes become lines.
@@ -178,7 +179,7 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
         geometry = f'{{"type":"{kind}","coordinates":{coordinates}}}' if rings else "null"
         features.append(
             f'\n{{"type":"Feature","id":{row["id"]},"geometry":{geometry},"properties":'
-            f"{json.dumps(properties, separators=(',', ':'))}}}")
+            f"{json.dumps(properties, separators=(',', ':'), allow_nan=False)}}}")
     return f'{text}"features":[{",".join(features)}\n]}}\n'
 
 
