@@ -22,17 +22,21 @@ pointsInAStrip (int number)
   return points;
 }
 
-/** \brief Index of the nearest of all points in an octant around one of them, found by
- * brute force; no_neighbor if there is none. */
+/** \brief Index of the nearest point in an octant around a position, found by brute
+ * force; no_neighbor if there is none.
+ * \param[in] left_out indices of points that are no neighbors */
 std::uint32_t
-nearestIn (std::size_t octant, std::uint32_t point, const PlanarPoints& points)
+nearestIn (std::size_t octant,
+           const Eigen::Vector2d& position,
+           const std::vector<std::uint32_t>& left_out,
+           const PlanarPoints& points)
 {
   std::uint32_t nearest = no_neighbor;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector2d step = points[i] - points[point];
-    if (i != point && octantOf (step) == octant &&
-        (nearest == no_neighbor ||
-         step.norm() < (points[nearest] - points[point]).norm()))
+    const Eigen::Vector2d step = points[i] - position;
+    if (std::count (left_out.begin(), left_out.end(), i) == 0 &&
+        octantOf (step) == octant &&
+        (nearest == no_neighbor || step.norm() < (points[nearest] - position).norm()))
       nearest = i;
   }
   return nearest;
@@ -63,7 +67,8 @@ TEST (OctantTree, FindsTheNearestPointInEachOctant)
   for (std::uint32_t point = 0; point < points.size(); ++point) {
     const OctantNeighbors neighbors = tree.neighborsOf (point);
     for (std::size_t octant = 0; octant < octants; ++octant)
-      EXPECT_EQ (neighbors.points[octant], nearestIn (octant, point, points));
+      EXPECT_EQ (neighbors.points[octant],
+                 nearestIn (octant, points[point], {point}, points));
   }
 }
 
@@ -77,10 +82,11 @@ TEST (OctantTree, HasEachPointInOneGroup)
   EXPECT_EQ (groups_with_point, std::vector<int> (points.size(), 1));
 }
 
-TEST (OctantTree, FindsNoNeighborOfAGroupInTheGroup)
+TEST (OctantTree, FindsTheNearestPointsOfOtherGroupsAroundTheCenterOfAGroup)
 {
   const PlanarPoints points = pointsInAStrip (100);
   for (const OctantTree::Group& group : OctantTree (points).groups (one_thread))
-    for (const std::uint32_t neighbor : group.neighbors.points)
-      EXPECT_EQ (std::count (group.points.begin(), group.points.end(), neighbor), 0);
+    for (std::size_t octant = 0; octant < octants; ++octant)
+      EXPECT_EQ (group.neighbors.points[octant],
+                 nearestIn (octant, group.center, group.points, points));
 }
