@@ -13,7 +13,8 @@ namespace pcl_ops::internal {
  *
  * All points of a leaf share the same candidates, which are gathered once. This takes a
  * third of the time of PointTree::find for every point.
- * \param[in] neighbors number of neighbors of a point; below the number of points
+ * \param[in] neighbors number of neighbors of a point; below the number of points and
+ * below NearestPoints::max_size
  * \param[in] threads largest number of threads; 0: one for each processor
  * \return indices of the points: elements i * neighbors to (i + 1) * neighbors - 1 are
  * the neighbors of point i, the nearest first */

@@ -6,8 +6,10 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Returns for each axis the step of which all coordinates are multiples [m], as
- * 0.01 in a file with two decimals; 0 for an axis whose coordinates were not rounded.
+/** \brief Returns for each axis the step that coordinates were rounded to [m], as 0.01
+ * in a file with two decimals; 0 for an axis whose coordinates were not rounded. It is
+ * the smallest difference between coordinates of a sample, so that a shift does not
+ * matter.
  */
 Eigen::Vector3d
 coordinateSteps (const Coordinates& points);

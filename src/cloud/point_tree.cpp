@@ -64,7 +64,7 @@ countNodes (std::uint32_t points)
     return 1;
   // Number of nodes at the last depth at which all or some nodes are divided.
   std::uint32_t nodes_at_last_depth = 1;
-  while (points > 2 * nodes_at_last_depth * max_points_of_tree_leaf)
+  while (points > std::uint64_t (2) * nodes_at_last_depth * max_points_of_tree_leaf)
     nodes_at_last_depth *= 2;
   // If only some are divided, they are those with one point more than the others.
   const bool are_all_divided = points / nodes_at_last_depth > max_points_of_tree_leaf;

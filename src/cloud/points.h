@@ -90,10 +90,10 @@ using Indices = std::vector<std::uint32_t>;
 Coordinates
 selected (const Coordinates& points, const Indices& indices);
 
-/** \brief Returns a pseudorandom sample of up to about \p wanted of the finite points,
- * or all of them if there are fewer than \p wanted points, finite or not. The sample is
- * the same for any order of the points, and mostly the same if coordinates are rounded
- * or multiplied by a power of two. */
+/** \brief Returns a pseudorandom sample of up to about \p wanted, 1 or more, of the
+ * finite points, or all of them if there are fewer than \p wanted points, finite or
+ * not. The sample is the same for any order of the points, and mostly the same if
+ * coordinates are rounded or multiplied by a power of two. */
 Coordinates
 samplePoints (const Coordinates& points, std::size_t wanted);
 

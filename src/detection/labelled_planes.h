@@ -19,7 +19,8 @@ struct LabelledPlanes {
   /** \brief For each point the index of its plane in \ref planes, or no_plane. */
   Labels labels;
   MergedPlanes planes;
-  /** \brief Number of planes that were merged into \ref planes. */
+  /** \brief Number of planes, or of regions, that were merged into \ref planes or
+   * dropped. */
   std::size_t planes_before_merging = 0;
   /** \brief The noise around each plane [m], \ref PlaneSegment::noise; an empty list if
    * the detector does not measure it. */
@@ -67,8 +68,9 @@ void
 dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
 
 /** \brief Runs a detector with the steps that all detectors share. Before: selects the
- * finite points, without duplicates if there are many (\ref distinctPoints). After:
- * makes segments in the frame of the input cloud, drops small ones, sets orientations.
+ * finite points, without missing readings, and without duplicates if there are many
+ * (\ref distinctPoints). After: makes segments in the frame of the input cloud, drops
+ * small ones, names orientations, and turns normals of unseen planes up.
  * \param[in] detect the detector, called as (points, durations), returns
  * LabelledPlanes; not called without finite points
  * \param[in] step the local origin is a multiple of it [m]; 0: \ref finitePoints

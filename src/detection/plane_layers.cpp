@@ -67,7 +67,7 @@ sampleDistances (const Coordinates& points,
 
 } // namespace
 
-bool
+void
 splitLayers (const Coordinates& points,
              const std::vector<Plane>& planes,
              const std::vector<double>& min_apart,
@@ -94,7 +94,6 @@ splitLayers (const Coordinates& points,
         planes[plane].distance (points[i]) > *thresholds[plane])
       labels[i] = new_plane[plane];
   }
-  return has_split;
 }
 
 } // namespace pcl_ops::internal

@@ -18,9 +18,8 @@ namespace pcl_ops::internal {
  * \param[in] min_apart for each plane the least distance between two layers [m]
  * \param[in,out] labels of the points; the labels of new planes begin at
  * \p is_kept.size()
- * \param[in,out] is_kept for each plane 1, or 0 to skip it; each new plane adds a 1
- * \return whether any plane was split */
-bool
+ * \param[in,out] is_kept for each plane 1, or 0 to skip it; each new plane adds a 1 */
+void
 splitLayers (const Coordinates& points,
              const std::vector<Plane>& planes,
              const std::vector<double>& min_apart,

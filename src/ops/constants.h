@@ -7,9 +7,14 @@
 namespace pcl_ops::internal {
 
 /** \brief Constants of plane detection on neighborhoods, tuned on two clouds of each
- * data set of scripts/accuracy. scripts/ablate varies them: src/doc/places.csv has the
- * score of each data set with each constant halved and doubled. src/doc/decisions.md
- * says what was tried. A place is a distinct point, a support the points around it. */
+ * data set of scripts/accuracy. scripts/ablate varies them: src/doc/places.csv has how
+ * far the scores of some data sets move if a constant is halved or doubled.
+ * src/doc/decisions.md says what was tried. A place is a distinct point, a support the
+ * points around it.
+ *
+ * A distance threshold of the user replaces noises_of_region and noises_of_point with
+ * their terms of bend_of_width; then max_noises_of_plane is not tested. Joins follow
+ * the noise in any case. */
 struct PlaceConstants {
   // The neighborhoods of places.
   /** \brief A neighborhood has min_neighborhood * (points of the cloud /
@@ -30,7 +35,8 @@ struct PlaceConstants {
   int max_levels = 6;
   double points_per_level = 3.4;
   static constexpr int arms = 8;
-  /** \brief Supports of level 2 and above have at most this share of the points. */
+  /** \brief Supports of level 2 and above have at most this share of the points that
+   * are searched: a small tile has fewer levels than the whole cloud. */
   double max_share_of_points = 0.1;
   /** \brief For clouds with quantized depth: the search for nearest points scales
    * coordinates along the depth direction by this factor. */
@@ -51,17 +57,18 @@ struct PlaceConstants {
   double max_thickening = 1.25;
   double max_thickening_of_all = 1.35;
   /** \brief The growth of a level is the scatter of settled supports over that of
-   * supports of the level. It is a quantile over the places that have a settled support
-   * which is not exact (\ref max_exact_thickness): growth_quantile is the share of
+   * supports of the level. It is a quantile over the places whose largest settled
+   * support is not exact (\ref max_exact_thickness): growth_quantile is the share of
    * these places with less. It counts in full if these places are at least
    * full_share_of_settled of all places; else it is closer to 1. */
   double full_share_of_settled = 0.1;
   double growth_quantile = 0.25;
   /** \brief Largest scatter over width of exact surfaces, such as CAD models. */
   double max_exact_thickness = 0.002;
-  /** \brief share_of_exact * max_exact_thickness times the width [m] is a scatter that
-   * any noise explains, and is added to the largest distance between regions over a
-   * gap. */
+  /** \brief A support whose scatter, times the growth of its level, is at most
+   * share_of_exact * max_exact_thickness times its width is explained by any noise,
+   * even 0. For joins over gaps the same share of the width of the joined region is
+   * added to the largest distance. */
   double share_of_exact = 0.1;
   /** \brief Limits of the noise of a place, in units of the usual (median) noise of
    * places with its point density. */
@@ -118,7 +125,7 @@ struct PlaceConstants {
   double join_bend_of_width = 0.01;
   double noises_of_bend = 8.0;
   /** \brief Largest angle between the planes of regions that touch and are joined
-   * [rad]. */
+   * [rad]. Not tested if the smaller one has fewer than 24 points. */
   double join_angle = 5.0 * (M_PI / 180.0);
   /** \brief Least share of all border places of a region that touch the region it joins
    * and lie on that region's plane. */
@@ -128,12 +135,13 @@ struct PlaceConstants {
   double max_gap = 2.0;
 
   // Planes.
-  /** \brief Least number of places of a plane, in units of CloudNoise::common_errors.
-   */
+  /** \brief Least number of places of a plane, in units of CloudNoise::common_errors;
+   * \ref minPointsFactor multiplies it. */
   double min_independent_points = 6.0;
   /** \brief Least number of flat places of a plane. */
   int min_flat_places = 2;
-  /** \brief Largest rms distance of points to their plane, in units of its noise. */
+  /** \brief Largest rms distance of points to their plane, in units of the median noise
+   * of its places. At least max_exact_thickness times its width is allowed. */
   double max_noises_of_plane = 12.0;
   /** \brief RegionEvidence::sum: the constant term, and the weight of each member. The
    * bend counts by its natural logarithm. */

@@ -23,13 +23,13 @@ namespace {
 // it the coordinates of points form narrow groups, the levels. A single wall has one
 // normal, too, but only one level; a CAD model has levels, but several normals.
 
-// Clouds with fewer points, or fewer levels, are taken to have no levels.
+// Clouds with fewer points, or fewer full levels, are taken to have no levels.
 constexpr std::size_t min_points = 2000;
 constexpr std::size_t min_levels = 12;
 
 /** \brief The plane fit to a point and its nearest points. */
 struct FlatPatch {
-  Eigen::Vector3d normal; // either of the two unit normals
+  Eigen::Vector3d normal; // either of the two unit normals; zero for points on a line
   Eigen::Vector3d point;
   double width; // of the nearest points, in the narrower direction in the plane [m]
   double rms;   // of the distances of the nearest points to the plane [m]

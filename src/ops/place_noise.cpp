@@ -107,8 +107,8 @@ commonErrorsOf (const Places& places, const std::vector<double>& growth)
 }
 
 // Returns for each place the smallest noise [m] that its supports suggest. A support
-// suggests its scatter times the growth of its level. Large supports suggest too much
-// where the surface bends.
+// suggests its scatter times the growth of its level, the largest settled one its
+// scatter alone. Large supports suggest too much where the surface bends.
 std::vector<float>
 smallestNoises (const Places& places,
                 const std::vector<int>& settled_level,

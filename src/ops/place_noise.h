@@ -20,7 +20,8 @@ struct PlaceNoise {
   /** \brief Noise of each place [m]: the scatter expected in settled supports, averaged
    * over nearby places and limited by the usual noise. */
   std::vector<float> of_place;
-  /** \brief The noise statistics of all places. */
+  /** \brief The noise statistics of the whole cloud: measured on the places, or given
+   * if they are a part of it. */
   CloudNoise cloud;
 
   /** \brief Returns the growth of a level: the scatter of settled supports over that of

@@ -156,6 +156,7 @@ firstArms (const Places& places, std::size_t arms_per_place, unsigned threads)
  * fewer than eight arms, the last one is repeated. */
 struct ArmPositions {
   static constexpr std::size_t size = place_constants.arms;
+  static_assert ((size & (size - 1)) == 0, "farthestOf halves the list");
   std::array<float, size> x, y, z;
 };
 

@@ -12,8 +12,8 @@ namespace pcl_ops::internal {
 /** \brief The plane fit to the points around a place. */
 struct Support {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  /** \brief Rms distance of the points to the plane [m], corrected for the three
-   * parameters of the fit. */
+  /** \brief Rms distance of the points to the plane [m], with the variance of quantized
+   * depth, corrected for the three parameters of the fit. */
   float scatter = 0.0F;
   /** \brief Extent of the points in the narrower direction in the plane [m]: the width
    * of a uniform distribution with their variance. */
@@ -30,7 +30,8 @@ struct Support {
 struct Places {
   /** \brief [m] in the local frame, whose zero is Points::origin. */
   std::vector<Eigen::Vector3d> position;
-  /** \brief The nearest places of each place, without itself, nearest first: \ref
+  /** \brief The nearest places of each place, without itself, nearest first, in clouds
+   * with quantized depth by scaled distances (PlaceConstants::depth_scale): \ref
    * neighbors_per_place entries for place 0, then as many for place 1, and so on. */
   Indices nearest;
   std::size_t neighbors_per_place = 0;
@@ -75,8 +76,8 @@ neighborhoodSize (double points, double factor);
  * however many points their supports have.
  * \param[in] points six (least_places) or more, all different, in an order that depends
  * only on their coordinates: so the result does not depend on the order of the cloud
- * \param[in] neighborhood_size points of a neighborhood, its place included; at most as
- * many as \p points */
+ * \param[in] neighborhood_size points of a neighborhood, its place included; six or more,
+ * at most as many as \p points */
 Places
 describePlaces (const Coordinates& points,
                 std::size_t neighborhood_size,

@@ -18,8 +18,8 @@ struct RegionEvidence {
    * is flat or has fewer than 6 places, and at most PlaceConstants::max_bend. */
   double bend = 0.0;
   /** \brief Sum over the adjacent regions that continue the region smoothly: the share
-   * of its border that touches them, times their bend. High for the facets of a round
-   * surface. */
+   * of its border that touches flat places of them, times their bend. High for the
+   * facets of a round surface. */
   double smooth_border = 0.0;
   /** \brief Share of its border beyond which there is no region, or only one with fewer
    * than 12 places. */

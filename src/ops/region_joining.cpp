@@ -14,7 +14,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Regions with fewer points are not joined to others: they have no plane of their own.
+// Regions with fewer points take no part in joins: one or two points tell no plane.
 constexpr double min_points_of_join = 3.0;
 
 // Whether the first region has more points; in case of a tie the one with the lower

@@ -12,9 +12,10 @@ namespace pcl_ops::internal {
  * In each round each region picks one of the larger regions that it touches and whose
  * plane it is a piece of: the one with which it shares most border places that lie on
  * the plane of the other region. Then each region that picked none takes all regions
- * that picked it. So the result does not depend on the order of the regions. If only
- * the best pair were joined at a time, one point less could change which pair is best,
- * and so all later pairs. Rounds end when no region picks another one. */
+ * that picked it. So the result hardly depends on the order of the regions: ties do,
+ * and Region::has_parts of a region that takes several in one round. If only the best
+ * pair were joined at a time, one point less could change which pair is best, and so
+ * all later pairs. Rounds end when no region picks another one. */
 void
 joinTouching (const Places& places, unsigned threads, Regions& regions);
 

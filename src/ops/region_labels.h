@@ -13,7 +13,8 @@ namespace pcl_ops::internal {
  * near enough and whose regions contain the place or one of its neighbors. The
  * likeliest plane has the smallest d^2 / s^2 + 2 ln s, where d is the distance of the
  * place to the plane and s the noise of the plane around the place [m]: the scatter of
- * the region or the noise of the place, whichever is larger. Without the logarithm
+ * the region or the noise of the place, whichever is larger; that of the place counts
+ * as at most max_noise_over_region times that of the region. Without the logarithm
  * noisy planes would take the points of clean ones.
  * \param[in] is_plane for each region, whether it is a plane
  * \param[in] distance_threshold largest distance of a place to its plane [m]; if not

@@ -157,9 +157,9 @@ private:
     constexpr double half = 0.5;
     region_.noise = meanNoise();
     region_.scatter = quantileOf (scatter_of_members_, half);
-    // If the points are too few for refit(), the region keeps this fit: with the width
-    // of the seed and length 0. Its variances do not ascend, unlike those of other
-    // fits.
+    // If the points are too few for refit(), or on a line, the region keeps this fit:
+    // the plane and the width of the seed or of the last refit, and length 0. Its
+    // variances do not ascend, unlike those of other fits.
     region_.fit.centroid = region_.moments.centroid();
     region_.fit.variances = {0.0, width_ * width_ / squared_width_of_variance, 0.0};
     region_.refit();

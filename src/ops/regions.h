@@ -54,8 +54,8 @@ struct Regions {
 };
 
 /** \brief Grows regions over neighboring places, one region after the other. Seeds are
- * the flat places, the flattest first. A place goes into the first region that it fits;
- * places that fit none are in no region.
+ * the flat places, the flattest first. A place goes into the first region that it fits.
+ * A flat place that fits none begins a region; others that fit none are in no region.
  * \param[in] distance_threshold largest distance of a place to the plane of its region
  * [m]; if not given, it follows the noise */
 Regions

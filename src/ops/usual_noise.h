@@ -27,7 +27,8 @@ setUsualNoise (const std::vector<float>& density,
 
 /** \brief Returns the median noise [m] of places with a density [1/m^2]. It is
  * interpolated between the middles of two octaves, so that a small change of the
- * density changes it little. If neither octave has a value, it is CloudNoise::usual. */
+ * density changes it little. If only one octave has a value, it is that one; if neither
+ * has, CloudNoise::usual. */
 double
 usualNoise (const CloudNoise& cloud, double density);
 
