@@ -66,6 +66,8 @@ TEST (PlaneKinds, AreTheSameInReverseOrderOfPlanes)
   cellar.add ({1, 1, -1}, {0.2, 0, 0}, {0, 0, 0.2}); // a small plane below the floor
   for (Rectangles scene : {room, house, cellar}) {
     Names expected = scene.kinds();
+    ASSERT_EQ (expected.size(), scene.planes.size());
+    EXPECT_GT (std::count (expected.begin(), expected.end(), "wall"), 0);
     std::reverse (expected.begin(), expected.end());
     std::reverse (scene.planes.begin(), scene.planes.end());
     std::reverse (scene.extents.begin(), scene.extents.end());

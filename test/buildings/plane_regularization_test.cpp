@@ -209,6 +209,7 @@ TEST (PlaneRegularization, IsTheSameInUtmCoordinates)
     plane.moveBy (shift);
   const RegularizedPlanes here = scene.regularized();
   const RegularizedPlanes there = regularizePlanes (moved);
+  EXPECT_NEAR (cosine (there.planes[0], there.planes[1]), 0.0, 1e-12);
   for (std::size_t i = 0; i < moved.size(); ++i)
     EXPECT_LT ((here.planes[i].normal - there.planes[i].normal).norm(), 1e-9);
 }

@@ -153,7 +153,9 @@ TEST (AllNearest, AreTheSameForAnyNumberOfThreads)
   Coordinates points;
   addDrawn (20000, 0.0f, 1.0f, points);
   const PointTree tree (points);
-  EXPECT_EQ (findAllNearest (tree, 10, 4), findAllNearest (tree, 10, one_thread));
+  const Indices nearest = findAllNearest (tree, 10, one_thread);
+  ASSERT_EQ (nearest.size(), 10u * points.size());
+  EXPECT_EQ (findAllNearest (tree, 10, 4), nearest);
 }
 
 TEST (AllNearest, AreFoundWhereSquaredDistancesAreInfiniteInSinglePrecision)

@@ -40,11 +40,13 @@ TEST (DistinctPlaces, ComeInTheSameOrderForAnyOrderOfPoints)
 {
   Coordinates points = pointsWithCopies();
   const DistinctPlaces places = distinctPlaces (points, one_thread);
+  ASSERT_EQ (places.size(), 300u);
   for (std::vector<float>* axis : {&points.x, &points.y, &points.z})
     std::reverse (axis->begin(), axis->end());
   const DistinctPlaces again = distinctPlaces (points, 2);
   EXPECT_EQ (again.x, places.x);
   EXPECT_EQ (again.y, places.y);
+  EXPECT_EQ (again.z, places.z);
 }
 
 TEST (DistinctPlaces, OfZerosAreOne)

@@ -85,7 +85,9 @@ TEST (OctantTree, HasEachPointInOneGroup)
 TEST (OctantTree, FindsTheNearestPointsOfOtherGroupsAroundTheCenterOfAGroup)
 {
   const PlanarPoints points = pointsInAStrip (100);
-  for (const OctantTree::Group& group : OctantTree (points).groups (one_thread))
+  const std::vector<OctantTree::Group> groups = OctantTree (points).groups (one_thread);
+  ASSERT_GT (groups.size(), 1u);
+  for (const OctantTree::Group& group : groups)
     for (std::size_t octant = 0; octant < octants; ++octant)
       EXPECT_EQ (group.neighbors.points[octant],
                  nearestIn (octant, group.center, group.points, points));

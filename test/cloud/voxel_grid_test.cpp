@@ -65,6 +65,7 @@ TEST (VoxelGrid, IsTheSameForAnyNumberOfThreads)
   for (const unsigned threads : {2u, 3u, 4u, 8u}) {
     const VoxelGrid by_many = voxelize (points, 0.2, threads);
     EXPECT_EQ (*by_one.order, *by_many.order);
+    ASSERT_EQ (by_one.codes, by_many.codes);
     for (std::size_t voxel = 0; voxel < by_one.size(); ++voxel)
       ASSERT_EQ (by_one.moments[voxel].sum, by_many.moments[voxel].sum);
   }

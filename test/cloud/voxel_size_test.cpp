@@ -40,9 +40,12 @@ TEST (VoxelSize, IsTheSameInAnyOrderOfPointsAndForCoordinatesRoundedOtherwise)
     reversed.add (points.x[i], points.y[i], points.z[i]);
   for (float& x : rounded_otherwise.x)
     x += 1e-6f;
-  for (double wanted = 500.0; wanted < 1500.0; wanted += 100.0)
+  for (double wanted = 500.0; wanted < 1500.0; wanted += 100.0) {
+    const double size = voxelSizeFor (points, wanted);
+    EXPECT_GT (size, 0.0);
     for (const Coordinates& others : {reversed, rounded_otherwise})
-      EXPECT_EQ (voxelSizeFor (others, wanted), voxelSizeFor (points, wanted));
+      EXPECT_EQ (voxelSizeFor (others, wanted), size);
+  }
 }
 
 TEST (RoundNumber, IsTheNearestMultipleOfAStepThatGrowsWithIt)

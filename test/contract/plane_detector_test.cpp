@@ -179,6 +179,7 @@ TYPED_TEST (PlaneDetector, FindsTheSamePlanesInABufferOfTheUser)
   std::vector<pcl::Indices> inliers;
   for (const PlaneSegment& plane : detectPlanes (view, this->detector.getParameters()))
     inliers.push_back (plane.inliers);
+  ASSERT_GE (inliers.size(), 3u);
   EXPECT_EQ (inliers, inliersOf (this->detector));
 }
 
@@ -243,6 +244,7 @@ TYPED_TEST (PlaneDetector, SucceedsWhereEveryPlaneHasFewerPointsThanTheMinimum)
 TYPED_TEST (PlaneDetector, GivesPlanarRegionsWithHullsAsContours)
 {
   const std::vector<PlaneSegment> planes = planesOf (this->detector);
+  ASSERT_GE (planes.size(), 3u);
   typename TypeParam::PlanarRegions regions;
   ASSERT_TRUE (this->detector.segment (regions));
   ASSERT_EQ (regions.size(), planes.size());
@@ -294,7 +296,9 @@ TYPED_TEST (PlaneDetector, HasNormalsThatPointTowardsTheSensor)
   for (const float side : {1.0f, -1.0f}) {
     Eigen::Vector4f& sensor = this->room.cloud->sensor_origin_;
     sensor << side * 2, side * 1.5f, side * 1.2f, 0;
-    for (const PlaneSegment& plane : planesOf (this->detector)) {
+    const std::vector<PlaneSegment> planes = planesOf (this->detector);
+    ASSERT_GE (planes.size(), 3u);
+    for (const PlaneSegment& plane : planes) {
       EXPECT_NEAR (plane.normal.norm(), 1.0, 1e-9);
       EXPECT_GT (plane.plane().distance (sensor.head<3>().cast<double>()), 0.0);
     }
@@ -303,7 +307,9 @@ TYPED_TEST (PlaneDetector, HasNormalsThatPointTowardsTheSensor)
 
 TYPED_TEST (PlaneDetector, GivesCentroidRmsAndMomentsOfThePointsOfEachPlane)
 {
-  for (const PlaneSegment& plane : planesOf (this->detector)) {
+  const std::vector<PlaneSegment> planes = planesOf (this->detector);
+  ASSERT_GE (planes.size(), 3u);
+  for (const PlaneSegment& plane : planes) {
     const Cloud inliers (*this->room.cloud, plane.inliers);
     // Coordinates are the first three of the four floats of a point.
     const Eigen::MatrixXd points = inliers.getMatrixXfMap (3, 4, 0).cast<double>();
@@ -369,6 +375,7 @@ TYPED_TEST (PlaneDetector, GivesTheSamePlanesForAnyNumberOfThreadsAndByACopy)
   (*cloud)[7].x = NAN;
   this->setInputCloud (cloud);
   const std::vector<pcl::Indices> planes = inliersOf (this->detector);
+  ASSERT_FALSE (planes.empty());
   constexpr unsigned all_threads = 0;
   for (const unsigned threads : {2u, 5u, all_threads}) {
     TypeParam copy = this->detector;

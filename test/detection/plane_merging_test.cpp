@@ -170,6 +170,11 @@ TEST (Merge, GoesOnUntilNoPairPassesTheTest)
                      10_deg * drawGaussian (generator)));
   const MergedPlanes merged = mergePlanes (planes, as_in_paper);
   EXPECT_LT (merged.fits.size(), planes.size());
+  ASSERT_GT (merged.fits.size(), 1u);
+  double points = 0.0;
+  for (const Moments& moments : merged.moments)
+    points += moments.count;
+  EXPECT_EQ (points, 100.0 * planes.size());
   for (std::size_t i = 0; i < merged.fits.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_FALSE (pcl_ops::detail::areCoplanar (

@@ -155,6 +155,7 @@ TEST (DetectOnPlaces, FindsTheSameWithAnyNumberOfThreads)
 {
   const Points points = smallRoom();
   const LabelledPlanes found = detectIn (points);
+  ASSERT_GE (found.planes.fits.size(), 3u);
   for (const unsigned threads : {2u, 3u}) {
     OpsParameters parameters = neighborhoodParameters();
     parameters.threads = threads;
@@ -356,6 +357,7 @@ TEST (DetectOnPlaces, LabelsPointsWithinAGivenDistanceAlone)
 TEST (DetectOnPlaces, CountsEachPointOnce)
 {
   const LabelledPlanes found = detectIn (smallRoom());
+  ASSERT_GE (found.planes.fits.size(), 3u);
   for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
     EXPECT_EQ (found.planes.moments[p].count,
                static_cast<double> (std::count (found.labels.begin(),
@@ -462,6 +464,7 @@ TEST (DetectOnPlaces, FindsTheSameWhereTheCloudIsMoved)
     moved.z[i] += 0.829f;
   }
   const LabelledPlanes found = detectIn (points);
+  ASSERT_GE (found.planes.fits.size(), 3u);
   const LabelledPlanes again = detectIn (moved);
   std::size_t same_label = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -477,6 +480,7 @@ TEST (DetectOnPlaces, FindsNearlyTheSameWithoutSomeOfThePoints)
     if (i % 100 != 7)
       kept.push_back (i);
   const LabelledPlanes found = detectIn (points);
+  ASSERT_GE (found.planes.fits.size(), 3u);
   const LabelledPlanes again = detectIn (inOrder (points, kept));
   std::size_t same_label = 0;
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -560,5 +564,7 @@ TEST (DetectOnPlaces, FindsTheSameWhereAWholeIsGivenItsOwnNoise)
   OpsParameters parameters = neighborhoodParameters();
   constexpr std::size_t points_are_the_whole = 0;
   parameters.noise_of_whole = noiseOfCloud (points, parameters, points_are_the_whole);
-  EXPECT_EQ (detectIn (points, parameters).labels, detectIn (points).labels);
+  const LabelledPlanes found = detectIn (points);
+  ASSERT_GE (found.planes.fits.size(), 3u);
+  EXPECT_EQ (detectIn (points, parameters).labels, found.labels);
 }

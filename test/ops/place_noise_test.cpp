@@ -39,8 +39,11 @@ TEST (PlaceNoise, IsThatOfWhiteNoise)
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 3_mm));
   EXPECT_NEAR (medianNoise (scene), 3e-3, 6e-4);
   EXPECT_LT (scene.noise.cloud.common_errors, 3.0);
-  for (const double growth : scene.noise.cloud.growth)
+  ASSERT_FALSE (scene.noise.cloud.growth.empty());
+  for (const double growth : scene.noise.cloud.growth) {
+    EXPECT_GE (growth, 1.0);
     EXPECT_LT (growth, 1.2);
+  }
 }
 
 TEST (PlaceNoise, IsThatOfLargeSupportsWhereNeighborsErrAlike)
@@ -65,6 +68,7 @@ TEST (PlaceNoise, IsHardlyLessThanUsualInTheWholeCloud)
 TEST (PlaceNoise, OfThePlacesOfAWholeIsTheSameWhereTheWholeIsGiven)
 {
   const PlaceScene whole (wavyWall());
+  ASSERT_GT (medianNoise (whole), 6e-3);
   EXPECT_EQ (noiseOfPlaces (whole.places, whole.noise.cloud, one_thread).of_place,
              whole.noise.of_place);
 }

@@ -14,11 +14,21 @@ TEST (Places, HaveTheirNearestOthers)
   const PlaceScene scene (drawnOn ({square_of_ground}, 5_cm, 1_mm), neighborhood_size);
   const Places& places = scene.places;
   ASSERT_EQ (places.neighbors_per_place, neighbors);
+  ASSERT_EQ (places.size(), scene.distinct.size());
+  ASSERT_GT (places.size(), neighbors);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::uint32_t* const nearest = places.nearestOf (i);
     const std::set<std::uint32_t> others (nearest, nearest + neighbors);
     EXPECT_EQ (others.size(), neighbors);
     EXPECT_EQ (others.count (static_cast<std::uint32_t> (i)), 0u);
+    std::vector<double> distances; // with the place itself
+    for (const Eigen::Vector3d& position : places.position)
+      distances.push_back ((position - places.position[i]).norm());
+    std::nth_element (
+        distances.begin(), distances.begin() + neighbors, distances.end());
+    for (const std::uint32_t other : others)
+      EXPECT_LE ((places.position[other] - places.position[i]).norm(),
+                 distances[neighbors] + 1e-6);
   }
 }
 

@@ -123,6 +123,8 @@ TEST (GrowRegions, EndAtAGivenDistance)
       ASSERT_LT (std::abs (scene.places.position[i].z()), threshold + 5_mm)
           << "the plane may tilt while it grows";
     }
+  EXPECT_GT (std::count (regions.of_place.begin(), regions.of_place.end(), 0), 2500)
+      << "of 10,000";
 }
 
 TEST (JoinTouching, MakesOneOfPiecesOfAPlane)
@@ -245,6 +247,7 @@ TEST (RegionEvidence, IsForAPlaneAndAgainstFacetsOfABall)
   }
   const PlaceScene facets (ball);
   const std::vector<char> is_plane_of_ball = arePlanes (facets);
+  ASSERT_FALSE (is_plane_of_ball.empty());
   EXPECT_EQ (std::count (is_plane_of_ball.begin(), is_plane_of_ball.end(), 1), 0);
 }
 
@@ -273,6 +276,7 @@ TEST (LabelPlaces, GivesARoadThatLeansToBothSidesItsEdges)
   PlaceScene scene = crownedRoad (slight_crown);
   joinTouching (scene.places, one_thread, scene.regions);
   const Labels labels = labelsOf (scene, arePlanes (scene));
+  ASSERT_EQ (labels.size(), scene.places.size());
   EXPECT_LT (std::count (labels.begin(), labels.end(), no_plane), 200) << "of 17,778";
 }
 
@@ -290,6 +294,7 @@ TEST (LabelPlaces, GivesNoneToWhatIsNoPlane)
 {
   PlaceScene scene = groundInTwo();
   const Labels labels = labelsOf (scene, right_is_plane);
+  EXPECT_GT (std::count (labels.begin(), labels.end(), 1), 4000) << "of the right";
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (scene.places.position[i].x() < 0.5) {
       ASSERT_EQ (labels[i], no_plane);
@@ -300,6 +305,8 @@ TEST (LabelPlaces, KeepsAGivenDistance)
 {
   PlaceScene scene = groundInTwo();
   const Labels labels = labelsOf (scene, both_are_planes, 1_mm);
+  EXPECT_LT (std::count (labels.begin(), labels.end(), no_plane), 9000)
+      << "of 10,000, a third of which are within half of the noise";
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] != no_plane) {
       ASSERT_LT (std::abs (scene.places.position[i].z()), 1.2e-3)

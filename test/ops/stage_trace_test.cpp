@@ -87,7 +87,9 @@ TEST (StageTrace, ReportsEachStageOnceInOrder)
 TEST (StageTrace, HasAValueOrALabelForEachPointThatWasRead)
 {
   const Cloud cloud = floorAndWallWithCopies();
-  for (const StageResult& result : traceOf (cloud).stages) {
+  const Trace trace = traceOf (cloud);
+  ASSERT_EQ (trace.stages.size(), std::size (pcl_ops::all_stages));
+  for (const StageResult& result : trace.stages) {
     SCOPED_TRACE (toString (result.stage));
     const bool has_values = result.stage <= Stage::Supports;
     EXPECT_EQ (result.values.size(), has_values ? cloud.size() : 0);
@@ -107,7 +109,9 @@ TEST (StageTrace, SaysTheSameOfEqualPoints)
   const Cloud cloud = floorAndWallWithCopies();
   const std::size_t first_copy = 2 * cloud.size() / 3;
   ASSERT_EQ (cloud[first_copy + 1].x, cloud[2].x);
-  for (const StageResult& result : traceOf (cloud).stages)
+  const Trace trace = traceOf (cloud);
+  ASSERT_EQ (trace.stages.size(), std::size (pcl_ops::all_stages));
+  for (const StageResult& result : trace.stages)
     for (std::size_t i = first_copy; i < cloud.size(); ++i) {
       const std::size_t original = 2 * (i - first_copy); // of copy i
       if (!result.labels.empty()) {
@@ -162,6 +166,10 @@ TEST (StageTrace, KeepsOfTheJoinedRegionsThoseThatArePlanes)
   const pcl_ops::Labels& grown = resultOf (Stage::Regions, trace).labels;
   const pcl_ops::Labels& joined = resultOf (Stage::Joined, trace).labels;
   const pcl_ops::Labels& planes = resultOf (Stage::Planes, trace).labels;
+  ASSERT_FALSE (planes.empty());
+  ASSERT_EQ (planes.size(), joined.size());
+  EXPECT_LT (2 * std::count (planes.begin(), planes.end(), no_plane),
+             static_cast<std::ptrdiff_t> (planes.size()));
   for (std::size_t i = 0; i < joined.size(); ++i) {
     ASSERT_EQ (grown[i] == no_plane, joined[i] == no_plane);
     if (planes[i] != no_plane) {
@@ -174,6 +182,7 @@ TEST (StageTrace, ChangesNothingOfTheResult)
 {
   const Cloud cloud = floorAndWallWithCopies();
   const std::vector<PlaneSegment> planes = detectPlanes (cloud, TracedParameters());
+  ASSERT_GE (planes.size(), 2u);
   const Trace trace = traceOf (cloud);
   ASSERT_EQ (trace.planes.size(), planes.size());
   for (std::size_t p = 0; p < planes.size(); ++p)

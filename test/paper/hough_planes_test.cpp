@@ -60,6 +60,7 @@ TEST (HoughPlanes, AreOrderedByFallingWeight)
     double weight = 0.0;
     for (const std::uint32_t cluster : plane.clusters)
       weight += clusterWeight (octree.clusters[cluster], octree);
+    EXPECT_GT (weight, 0.0);
     constexpr double rounding = 1e-12;
     EXPECT_LE (weight, previous_weight + rounding);
     previous_weight = weight;
@@ -80,6 +81,7 @@ TEST (HoughPlanes, ShareNoClusterWhenRefitted)
   for (const HoughPlane& plane : refitPlanes (voted, octree, no_min_share, theta_h))
     for (const std::uint32_t cluster : plane.clusters)
       EXPECT_TRUE (taken_clusters.insert (cluster).second);
+  EXPECT_FALSE (taken_clusters.empty());
 }
 
 TEST (HoughPlanes, AreDroppedBelowTheMinimumShareOfPoints)

@@ -321,12 +321,15 @@ TEST (KernelVotes, AreFiniteAndInTheBallBeyondTheLastRhoAndForAzimuthsManyTurnsA
   many_turns.covariance = Eigen::Vector3d (1e-4, 1e-4, 1e24).asDiagonal();
   many_turns.covariance (1, 2) = many_turns.covariance (2, 1) = 0.999e10;
   const PlaneKernel at_last_rho = kernelWithMean (1.99, 1.5, 2.0); // of 2 m
-  for (const PlaneKernel& kernel : {many_turns, at_last_rho})
-    for (const auto& [bin, vote] : votesOf (kernel)) {
+  for (const PlaneKernel& kernel : {many_turns, at_last_rho}) {
+    const std::map<Bin, double> votes = votesOf (kernel);
+    EXPECT_FALSE (votes.empty());
+    for (const auto& [bin, vote] : votes) {
       EXPECT_LT (bin.direction, space.directions.size());
       EXPECT_LT (bin.rho, space.rho_num);
       EXPECT_TRUE (std::isfinite (vote));
     }
+  }
 }
 
 TEST (KernelVotes, AreNoneForACovarianceOfZerosOrNan)

@@ -117,6 +117,7 @@ TEST (OctreeClusters, AreDisjointRangesOfPointsThatHoldEachPointOnce)
 {
   const Coordinates points = gridsOf ({horizontal, vertical}, 100, 2_mm);
   const OctreeClusters octree = clustersOf (points, 4);
+  ASSERT_GT (octree.clusters.size(), 4u);
   for (std::size_t c = 1; c < octree.clusters.size(); ++c)
     EXPECT_LE (octree.clusters[c - 1].end, octree.clusters[c].begin);
   std::vector<bool> is_found (points.size(), false);
@@ -130,6 +131,7 @@ TEST (OctreeClusters, AreDisjointRangesOfPointsThatHoldEachPointOnce)
 TEST (OctreeClusters, HoldPointsOfOneOfTwoPlanesThatMeet)
 {
   const OctreeClusters octree = clustersOf (gridsOf ({horizontal, vertical}, 200), 2);
+  ASSERT_GT (octree.clusters.size(), 4u);
   for (const CoplanarCluster& cluster : octree.clusters) {
     const double to_horizontal =
         angleBetween (cluster.fit.plane.normal, horizontal.normal());
@@ -164,12 +166,17 @@ TEST (OctreeClusters, LeaveOutPointsFarFromTheirPlaneAndOutsideTheRoot)
 
 TEST (OctreeClusters, BeginAtTheFirstLevelAndHaveAtLeast30Points)
 {
-  Coordinates points = gridsOf ({horizontal}, 200);
+  const Coordinates points = gridsOf ({horizontal}, 400);
   Coordinates few =
       gridsOf ({horizontal}, 5); // 25 points, below the default min_samples
-  for (const int first_level : {0, 2, 5, 6})
-    for (const CoplanarCluster& cluster : clustersOf (points, first_level).clusters)
+  for (const int first_level : {0, 2, 5, 6}) {
+    const OctreeClusters octree = clustersOf (points, first_level);
+    EXPECT_FALSE (octree.clusters.empty()) << first_level;
+    for (const CoplanarCluster& cluster : octree.clusters) {
       EXPECT_EQ (cluster.level, first_level);
+      EXPECT_GE (cluster.size(), 30u);
+    }
+  }
   EXPECT_TRUE (clustersOf (few, 0).clusters.empty());
   addGrid (few, horizontal, 4); // 41 points
   EXPECT_FALSE (clustersOf (few, 0).clusters.empty());
@@ -182,7 +189,8 @@ TEST (OctreeClusters, OfManyEqualPointsEndAtTheLargestMaxLevel)
     points.add (1.0f, 1.0f, 1.0f);
   OctreeClusterParameters parameters;
   parameters.max_level = 60;
-  for (const CoplanarCluster& cluster :
-       findCoplanarClusters (points, parameters).clusters)
+  const OctreeClusters octree = findCoplanarClusters (points, parameters);
+  EXPECT_EQ (octree.points.size(), points.size()) << "it ends and loses no point";
+  for (const CoplanarCluster& cluster : octree.clusters)
     EXPECT_LE (cluster.level, 60);
 }

@@ -110,13 +110,14 @@ TEST (WithinDistance, AgreesWithBruteForce)
   const Plane tilted =
       pcl_ops::planeThrough ({1, 1, 1}, Eigen::Vector3d (1, 2, 3).normalized());
   constexpr double threshold = 30_cm;
-  std::size_t points_within = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    points_within += std::abs (tilted.distance (samples[i])) < threshold;
-  EXPECT_EQ (countWithinDistance (samples, tilted, threshold), points_within);
-  EXPECT_EQ (
-      selectWithinDistance (samples, upTo (samples.size()), tilted, threshold).size(),
-      points_within);
+  Indices within;
+  for (std::uint32_t i = 0; i < samples.size(); ++i)
+    if (std::abs (tilted.distance (samples[i])) < threshold)
+      within.push_back (i);
+  ASSERT_FALSE (within.empty());
+  EXPECT_EQ (countWithinDistance (samples, tilted, threshold), within.size());
+  EXPECT_EQ (selectWithinDistance (samples, upTo (samples.size()), tilted, threshold),
+             within);
 }
 
 TEST (OnePointRansac, FindsThePlaneWithMostInliers)

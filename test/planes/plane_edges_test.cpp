@@ -272,6 +272,7 @@ TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
     return ends;
   };
   const std::vector<Vector3d> ends = endsOf();
+  ASSERT_GE (ends.size(), 6u) << "two of each edge";
   for (PlaneSegment& plane : planes)
     std::reverse (plane.inliers.begin(), plane.inliers.end());
   EXPECT_EQ (endsOf(), ends);

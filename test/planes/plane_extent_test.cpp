@@ -74,6 +74,7 @@ shareInside (const Cloud& cloud,
              const PlaneExtent& extent,
              const Eigen::Vector3d& normal)
 {
+  EXPECT_GE (extent.hull.size(), 3u);
   const auto inside = [&] (const pcl::PointXYZ& point) {
     for (std::size_t i = 0; i < extent.hull.size(); ++i) {
       const Eigen::Vector3d edge =
@@ -217,6 +218,7 @@ TEST (PlaneExtent, DoesNotDependOnTheOrderOfThePoints)
 {
   Cloud cloud = scatteredBoard (1500, 5_mm);
   const PlaneExtent extent = extentOf (cloud);
+  expectBoard (extent, 10_percent);
   std::reverse (cloud.begin(), cloud.end());
   const PlaneExtent reversed = extentOf (cloud);
   EXPECT_NEAR (reversed.area, extent.area, 1e-9);

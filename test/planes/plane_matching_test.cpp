@@ -341,6 +341,7 @@ TEST (PlaneTracker, StaysRigidWhereGivenPosesAreRounded)
     tracker.track ({}, rounded);
   const Eigen::Matrix3d turn = tracker.pose().linear();
   EXPECT_TRUE ((turn * turn.transpose()).isIdentity (1e-12)) << turn;
+  EXPECT_TRUE (tracker.pose().translation().isApprox (rounded.translation(), 1e-9));
 }
 
 TEST (PlaneTracker, FollowsASensorThatDrifts)

@@ -279,6 +279,7 @@ TEST (PlanePieces, AreTheSameForAnyNumberOfThreads)
   const PlaneSegment plane = planeOf (cloud);
   const PlanePieces by_one = findPlanePieces (cloud, {plane}, {}, one_thread);
   const PlanePieces by_four = findPlanePieces (cloud, {plane}, {}, 4);
+  ASSERT_EQ (by_one.pieces.size(), tiles_of_floor);
   ASSERT_EQ (by_one.pieces.size(), by_four.pieces.size());
   for (std::size_t i = 0; i < by_one.pieces.size(); ++i)
     EXPECT_EQ (by_one.pieces[i].inliers, by_four.pieces[i].inliers);

@@ -126,6 +126,7 @@ TEST (Refinement, GivesFinerVoxelsThePlaneOfTheirCoarseVoxel)
   const VoxelGrid& grid = refinement.grid;
   ASSERT_EQ (refinement.planes.size(), 1u);
   EXPECT_EQ (refinement.planes.planes[0].offset, scene.planes.planes[0].offset);
+  ASSERT_GT (grid.size(), 0u);
   for (std::size_t i = 0; i < grid.size(); ++i)
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
                isUnexplained (grid.moments[i].centroid()) ? no_plane : 0);
@@ -143,10 +144,13 @@ TEST (Refinement, GivesFinerVoxelsNoPlaneThatTheirPointsAreNotOn)
   scene.label (no_plane, isUnexplained);
   const Refinement refinement = refined (scene);
   const VoxelGrid& grid = refinement.grid;
+  std::size_t voxels_of_object = 0;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const Eigen::Vector3d centroid = grid.moments[i].centroid();
+    voxels_of_object += !isUnexplained (centroid) && centroid.z() > min_z_of_object;
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
                isUnexplained (centroid) || centroid.z() > min_z_of_object ? no_plane
                                                                           : 0);
   }
+  EXPECT_GT (voxels_of_object, 0u);
 }

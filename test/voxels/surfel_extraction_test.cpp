@@ -104,6 +104,8 @@ TEST (VoxelExtraction, DoesNotGoRoundACorner)
   const VoxelGrid grid = gridOf ({ground, wall}, 5_mm);
   const BoundedPlanes planes = planesOf (grid);
   ASSERT_EQ (planes.size(), 2u);
+  for (const std::int32_t plane : {0, 1})
+    EXPECT_GT (countVoxelsOn (plane, planes), voxels_of_surface / 2);
   const bool is_ground_first = std::abs (planes.planes[0].normal.z()) > 0.5;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const Eigen::Vector3d centroid = grid.moments[i].centroid();

@@ -23,7 +23,11 @@ surfelsOf (const VoxelGrid& grid)
 {
   const double min_points =
       std::max (usual_min_points, 8.0 * meanPointsPerVoxel (grid));
-  return findSurfels (grid, three_resolutions, min_points, one_thread);
+  std::vector<std::optional<Surfel>> surfels =
+      findSurfels (grid, three_resolutions, min_points, one_thread);
+  EXPECT_FALSE (surfels.empty());
+  EXPECT_EQ (surfels.size(), grid.size());
+  return surfels;
 }
 
 /** \brief Voxels of 10 cm of the floor, which has steps x steps points.

@@ -176,7 +176,7 @@ TEST (MeasuredRooms, HaveTheirWalls)
     if (measured.rooms.empty())
       continue;
     if (!fs::exists (file))
-      GTEST_SKIP() << "no " << file;
+      continue;
     const Segments truth = outlinesOf (measured);
     const Segments walls = wallsOf (planOfFile (file, measured.up));
     const Lengths of_truth = lengthNear (truth, walls, same);
@@ -193,6 +193,8 @@ TEST (MeasuredRooms, HaveTheirWalls)
     drawn_length += of_walls.whole;
     right_length += of_walls.near;
   }
+  if (measured_length == 0.0)
+    GTEST_SKIP() << "no clouds in " << PCL_OPS_DATA_DIR;
   // The accuracy page has 95 % and 96 %. These limits leave room for small losses.
   EXPECT_GT (found_length, 0.85 * measured_length);
   EXPECT_GT (right_length, 0.90 * drawn_length);
@@ -202,10 +204,12 @@ TEST (MeasuredRooms, AreFoundAndNoOthers)
 {
   const auto clouds = measuredClouds();
   ASSERT_FALSE (clouds.empty());
+  int files = 0;
   for (const auto& [name, measured] : clouds) {
     const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
     if (!fs::exists (file))
-      GTEST_SKIP() << "no " << file;
+      continue;
+    ++files;
     const FloorPlan plan = planOfFile (file, measured.up);
     EXPECT_EQ (plan.rooms.size(), measured.rooms.size()) << name;
     for (std::size_t i = 0; i < measured.rooms.size() && i < plan.rooms.size(); ++i) {
@@ -219,17 +223,22 @@ TEST (MeasuredRooms, AreFoundAndNoOthers)
                    100.0 * (plan.rooms[i].area / area - 1.0));
     }
   }
+  if (files == 0)
+    GTEST_SKIP() << "no clouds in " << PCL_OPS_DATA_DIR;
 }
 
 TEST (MeasuredRooms, HaveTheirHeights)
 {
   constexpr double same = 0.02; // largest difference of equal heights [m]
+  ASSERT_FALSE (measuredClouds().empty());
+  int files = 0;
   for (const auto& [name, measured] : measuredClouds()) {
     const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
     if (measured.rooms.empty())
       continue;
     if (!fs::exists (file))
-      GTEST_SKIP() << "no " << file;
+      continue;
+    ++files;
     const FloorPlan plan = planOfFile (file, measured.up);
     ASSERT_EQ (plan.rooms.size(), measured.rooms.size()) << name;
     for (std::size_t i = 0; i < measured.rooms.size(); ++i) {
@@ -249,4 +258,6 @@ TEST (MeasuredRooms, HaveTheirHeights)
       }
     }
   }
+  if (files == 0)
+    GTEST_SKIP() << "no clouds in " << PCL_OPS_DATA_DIR;
 }

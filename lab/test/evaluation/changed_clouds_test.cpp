@@ -126,6 +126,8 @@ TEST (ChangedClouds, AreTheSameEachTime)
   for (const CloudChange& change : cloud_changes) {
     const ChangedCloud once = changedCloud (cloud, Vector3d::UnitZ(), change);
     const ChangedCloud again = changedCloud (cloud, Vector3d::UnitZ(), change);
+    ASSERT_FALSE (once.cloud->empty()) << change.name;
+    ASSERT_EQ (once.cloud->size(), again.cloud->size()) << change.name;
     EXPECT_EQ (once.points, again.points) << change.name;
     EXPECT_EQ (largestChange (*once.cloud, *again.cloud), 0.0f) << change.name;
   }

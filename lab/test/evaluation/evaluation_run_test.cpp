@@ -112,7 +112,8 @@ TEST_F (EvaluationRunTest, EveryColumnHasANumberWhereTheTruthIsKnown)
   plan.clouds = {{"squares", "a", squareOfPoints}};
   plan.configurations = {labeling ("all-right", 400, calls)};
   plan.runs_on_changes = true;
-  run();
+  EXPECT_EQ (run().new_rows, 1u);
+  EXPECT_EQ (lines (contentOf (file)), 2u) << "the header and a row";
   EXPECT_FALSE (contains (contentOf (file), "nan")) << contentOf (file);
 }
 

@@ -473,6 +473,7 @@ TEST_F (ReportOfOwnLabels, ComparesThemInARowForEachDataSet)
 
 TEST_F (ReportOfOwnLabels, HasNoColumnsOfThePaperForCloudsOfOnesOwn)
 {
+  EXPECT_TRUE (contains (report_.out, "my-clouds"));
   std::istringstream stream (report_.out);
   for (std::string line; std::getline (stream, line);)
     EXPECT_FALSE (line.find ("my-clouds") != std::string::npos &&

@@ -128,6 +128,7 @@ TEST (SunRgbd, RealFramesStandUpright)
   const DataSet set = sunRgbdDataSet (folder.string(), false);
   EXPECT_EQ (set.size(), 16u);
   const EvaluationCloud cloud = set[1].load();
+  ASSERT_FALSE (cloud.cloud->empty());
   for (const pcl::PointXYZ& point : *cloud.cloud) {
     ASSERT_GT (point.y, 0.0f); // in front of the camera
     ASSERT_LT (std::abs (point.z), 4.0f);

@@ -101,6 +101,7 @@ TEST (BoardFurniture, EveryFaceIsAPlaneOfItsOwn)
   Random random (7);
   for (const auto draw : {drawBoardTable, drawBoardBench, drawBoardRack}) {
     const Shapes faces = draw (random).shapes;
+    ASSERT_GT (faces.size(), 1u);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       EXPECT_EQ (faces[i].surface, i + 1);
       for (std::size_t j = 0; j < i; ++j)
@@ -133,7 +134,9 @@ TEST (Survey, HasNoGroundInAHouseAndNothingOutOfTheRoof)
   constexpr double margin = 0.1; // [m]
   const House house;             // in the middle of its ground, with a ridge along x
   const double rise = 2.0 * (house.ridge - house.eaves) / house.width;
-  for (const auto& point : scanSurvey ({{house}, 30.0}, 5000, 0.0, 7).cloud) {
+  const LabeledCloud cloud = scanSurvey ({{house}, 30.0}, 5000, 0.0, 7).cloud;
+  ASSERT_FALSE (cloud.empty());
+  for (const auto& point : cloud) {
     EXPECT_GT (point.label, 0u);
     const bool is_inside = std::abs (point.x) < 0.5 * house.length - margin &&
                            std::abs (point.y) < 0.5 * house.width - margin;

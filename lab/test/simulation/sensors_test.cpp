@@ -164,7 +164,9 @@ TEST (Walk, StaysInTheRoomAndSeesSurfacesAllTheWay)
 {
   for (std::uint32_t seed = 16; seed <= 25; ++seed) {
     const Site room = makeRoom (seed);
-    for (const Isometry3d& pose : drawWalk (room, 12, seed)) {
+    const Poses walk = drawWalk (room, 12, seed);
+    ASSERT_EQ (walk.size(), 12u);
+    for (const Isometry3d& pose : walk) {
       const Vector3d inside = turnZ (-room.yaw) * pose.translation();
       EXPECT_LT (std::abs (inside.x()), 0.5 * room.size.x());
       EXPECT_LT (std::abs (inside.y()), 0.5 * room.size.y());

@@ -130,6 +130,7 @@ TEST (KnownSensor, LetsNoPlaneBelowItBeACeilingAndKeepsFloorsWhereItLeans)
     ScannedPlanes scanned = planesOfScan (file.string());
     ASSERT_EQ (scanned.sensor, Vector3d::Zero()) << file;
     std::vector<PlaneSegment>& planes = scanned.planes;
+    ASSERT_FALSE (planes.empty()) << file;
     const std::vector<PlaneKind> kinds = scanned.kinds (Vector3d::UnitZ());
     for (std::size_t i = 0; i < planes.size(); ++i)
       EXPECT_FALSE (kinds[i] == PlaneKind::Ceiling && planes[i].centroid.z() < 0.0)

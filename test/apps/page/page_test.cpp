@@ -200,6 +200,7 @@ TEST_F (Page, IsTheSameForAnyOrderOfThePoints)
   cloud.addRow (1, 3000, 1.0);
   cloud.addRow (0, 3000, 2.0);
   const std::string before = pageOf (cloud.groups (1, 1000));
+  ASSERT_FALSE (groupsOn (before).at (0).points.empty());
   std::reverse (cloud.points.begin(), cloud.points.end());
   std::reverse (cloud.labels.begin(), cloud.labels.end());
   EXPECT_EQ (pageOf (cloud.groups (1, 1000)), before);
@@ -229,6 +230,8 @@ TEST_F (Page, HasAtMostEightBytesForAPointAnd17MBForTheMostPoints)
   LabeledPoints cloud;
   cloud.addRow (1, 30'000, 1.0);
   const std::size_t empty_page = pageOf (LabeledPoints().groups (1)).size();
+  ASSERT_GT (empty_page, 0u);
+  EXPECT_GT (pageOf (cloud.groups (1)).size(), empty_page + 7 * 30'000);
   constexpr std::size_t max_size_of_point = 8; // [byte]
   const std::size_t numbers_of_group = 200;    // its origin, step and count [byte]
   EXPECT_LT (pageOf (cloud.groups (1)).size() - empty_page,
@@ -255,6 +258,7 @@ TEST_F (Page, KeepsATitleThatLooksLikeTheEndOfAScript)
 TEST_F (Page, LoadsNothing)
 {
   const std::string page = pageOf (LabeledPoints().groups (0));
+  ASSERT_EQ (groupsOn (page).size(), 1u);
   // {{ would be left of a placeholder of the template.
   for (const char* word : {"http", "src=", "import", "fetch", "url(", "{{"})
     EXPECT_EQ (page.find (word), std::string::npos) << word;

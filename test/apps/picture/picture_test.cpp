@@ -358,11 +358,12 @@ TEST (LabelledCloud, IsSavedWithLessMemoryThanACopyNeeds)
     std::ofstream reset ("/proc/self/clear_refs");
     reset << "5" << std::flush; // sets the peak (VmHWM) to VmRSS
     const std::size_t before = statusBytes ("VmRSS");
-    if (!reset || before == 0)
-      GTEST_SKIP() << "this system does not tell the memory of a process";
+    const bool is_memory_told = reset && before > 0;
     constexpr bool keeps_color = false;
     saveLabelledCloud (folder / name, cloud, labels, distances, keeps_color);
-    EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
+    if (is_memory_told) {
+      EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
+    }
   }
   const FileCloud saved = loadCloud (folder / "a.pcd");
   const std::vector<double> numbers (labels.begin(), labels.end());

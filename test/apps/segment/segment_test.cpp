@@ -361,6 +361,7 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
     SCOPED_TRACE (cloud + std::string (" ") + mesh);
     const auto json = nlohmann::json::parse (
         expectDone (cloud + concave + " --planes - --mesh " + mesh).out);
+    ASSERT_FALSE (json["planes"].empty());
     const Drawing drawing = readDrawing (contentOf (folder_ / mesh));
     EXPECT_GE (drawing.faces.size(), json["planes"].size());
     double area = 0.0;
@@ -382,6 +383,7 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
 TEST_F (Segment, HasAHelpThatFitsOnOneScreen)
 {
   const std::string help = expectDone ("--help").out;
+  EXPECT_TRUE (contains (help, "--help"));
   EXPECT_LE (lines (help), 50u);
   std::istringstream stream (help);
   for (std::string line; std::getline (stream, line);)

@@ -133,6 +133,7 @@ protected:
     const Json json = pcl_ops::apps::hasCloudExtension (file)
                           ? toJson (pcl_ops::apps::loadCloud (folder_ / file))
                           : Json::parse (textAt (file), nullptr, false);
+    EXPECT_FALSE (json.is_discarded()) << where << ": is no JSON";
     const Json::json_pointer pointer (parts[2]);
     Json value =
         json.contains (pointer) ? json[pointer] : Json (Json::value_t::discarded);
