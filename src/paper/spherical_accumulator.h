@@ -97,7 +97,7 @@ public:
   bool
   isPeak (std::uint32_t direction, int bin) const
   {
-    if (!isHighestOf (direction, direction, bin))
+    if (!noneIsHigherIn (direction, direction, bin))
       return false;
     for (const std::uint32_t near : around_[direction])
       for (const std::uint32_t overlapping : centers_around_[near])
@@ -107,13 +107,13 @@ public:
   }
 
 private:
-  /** \brief Whether no bin of the direction \p other that is at most two bins from \p
+  /** \brief Whether no bin of the direction \p column that is at most two bins from \p
    * bin is higher than the bin \p bin of \p direction. */
   bool
-  noneIsHigherIn (std::uint32_t other, std::uint32_t direction, int bin) const
+  noneIsHigherIn (std::uint32_t column, std::uint32_t direction, int bin) const
   {
     const float height = heights_[direction][bin];
-    const float* const heights = heights_[other];
+    const float* const heights = heights_[column];
     // Of equally high bins, the lower direction, then the lower bin counts as higher.
     const auto comes_first = [&] (int other) {
       const bool is_mirrored = other < 0; // bin -1 is bin 0 of the opposite direction
