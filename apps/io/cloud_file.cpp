@@ -459,9 +459,10 @@ setField (FileCloud& cloud,
   const bool is_new = index_of_same_name < 0;
   const int found_index =
       is_new ? pcl::getFieldIndex (points, before) : index_of_same_name;
-  // The index of the field once it is set; the end where no field has either name.
-  const std::size_t index =
-      found_index < 0 ? points.fields.size() : static_cast<std::size_t> (found_index);
+  // The index of the field once it is set: the end if no field has either name.
+  std::size_t index = points.fields.size();
+  if (found_index >= 0)
+    index = static_cast<std::size_t> (found_index);
   const auto offset_of = [&] (std::size_t i) {
     return i < points.fields.size() ? points.fields[i].offset : points.point_step;
   };

@@ -185,8 +185,10 @@ public:
     while (bytes_read_ < compressed_.size()) {
       const std::size_t head = compressed_[bytes_read_];
       ++bytes_read_;
-      const bool fits = head < l_factor ? copyLiterals (head + 1) : repeat (head);
-      if (!fits)
+      const bool is_run_of_literals = head < l_factor;
+      if (is_run_of_literals && !copyLiterals (head + 1))
+        return false;
+      if (!is_run_of_literals && !repeat (head))
         return false;
     }
     return bytes_written_ == output_.size();

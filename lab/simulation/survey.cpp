@@ -130,9 +130,9 @@ scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed)
     const auto index = std::size_t (std::upper_bound (first, last, drawn) - first);
     Vector3d point = drawPoint (faces[index].rectangle, random).position;
     const bool is_ground = index == faces.size() - 1;
-    const bool is_seen =
-        is_ground ? !isBelowAHouse (survey, point) : faces[index].contains (point);
-    if (!is_seen)
+    if (is_ground && isBelowAHouse (survey, point))
+      continue;
+    if (!is_ground && !faces[index].contains (point))
       continue;
     for (double& coordinate : point)
       coordinate += noise * survey_sigma * random.gaussian();

@@ -23,7 +23,9 @@ extractPlanes (const Points& points,
   const PaperParameters& paper = parameters.paper_only;
   const bool on_all_points =
       paper.verification == PaperParameters::Verification::AllPoints;
-  Coordinates free_points = on_all_points ? Coordinates (points) : Coordinates();
+  Coordinates free_points; // points on no plane yet, if hypotheses are verified on all
+  if (on_all_points)
+    free_points = points;
   // Strategy 2 divides samples into groups. Strategy 1 searches all samples at once:
   // with a right angle as tolerance all of them are in the horizontal group.
   const bool divides = paper.strategy == PaperParameters::Strategy::DivideThenDetect;
