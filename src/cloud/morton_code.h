@@ -21,11 +21,11 @@ using MortonCode = std::uint64_t;
 /** \brief Largest absolute value of a key: a coordinate of \ref VoxelKey [voxels]. */
 constexpr std::int32_t key_limit = 1 << 18;
 
-/** \brief Added to a key to make it positive. It is a multiple of 16, so that voxels of
- * up to 16 times the edge have a border at coordinate 0, too. Its higher bits
+/** \brief Added to a key to make it positive. It is a multiple of 1024, so that voxels
+ * of up to 1024 times the edge have a border at coordinate 0, too. Its higher bits
  * alternate, so that the keys just below 0 and those just above 0 share their upper
  * bits: a radix sort skips digits that all codes share. */
-constexpr std::int32_t key_offset = 0x55550;
+constexpr std::int32_t key_offset = 0x55400;
 
 /** \brief Computes keys along one axis: coordinates [m] in voxels, rounded down and
  * clamped to -\ref key_limit .. \ref key_limit.

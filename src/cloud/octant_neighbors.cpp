@@ -44,7 +44,7 @@ isTooFar (const Eigen::Array2d& low,
     }
   for (int from_center = first; from_center <= last; ++from_center) {
     const int octant = (center + from_center + turn) % turn;
-    if (squared_distance < nearest.squared_distances[octant])
+    if (squared_distance <= nearest.squared_distances[octant])
       return false;
   }
   return true;

@@ -54,10 +54,10 @@ TEST (MortonCode, WithoutItsLast3BitsIsTheCodeOfAVoxelOfTwiceTheEdge)
   EXPECT_NE (mortonCode (10, 22, 32) >> 3, mortonCode (9, 22, 32) >> 3);
 }
 
-TEST (MortonCode, WithoutItsLast12BitsIsTheCodeOfAVoxelOf16TimesTheEdge)
+TEST (MortonCode, WithoutItsLast30BitsIsTheCodeOfAVoxelOf1024TimesTheEdge)
 {
-  EXPECT_EQ (mortonCode (0, 0, 0) >> 12, mortonCode (15, 15, 15) >> 12);
-  EXPECT_NE (mortonCode (0, 0, 0) >> 12, mortonCode (-1, 0, 0) >> 12);
+  EXPECT_EQ (mortonCode (0, 0, 0) >> 30, mortonCode (1023, 1023, 1023) >> 30);
+  EXPECT_NE (mortonCode (0, 0, 0) >> 30, mortonCode (-1, 0, 0) >> 30);
 }
 
 TEST (MortonCode, GivesTheCoordinatesBackPlusTheirOffset)
@@ -72,7 +72,8 @@ TEST (MortonCode, GivesTheCoordinatesBackPlusTheirOffset)
 
 TEST (MortonCode, OfKeysNearZeroSharesItsUpperBits)
 {
-  // Keys from -100 to 100 differ in the lowest 9 bits of each of the three coordinates.
+  // Keys from -100 to 100 differ in the lowest 11 bits of each of the three
+  // coordinates.
   for (const std::int32_t x : {-100, 0, 100})
-    EXPECT_EQ (mortonCode (x, -x, x) >> 27, mortonCode (0, 0, 0) >> 27);
+    EXPECT_EQ (mortonCode (x, -x, x) >> 33, mortonCode (0, 0, 0) >> 33);
 }

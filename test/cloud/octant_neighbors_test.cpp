@@ -72,6 +72,25 @@ TEST (OctantTree, FindsTheNearestPointInEachOctant)
   }
 }
 
+TEST (OctantTree, TakesThePointWithTheLowestIndexWherePointsAreEquallyFar)
+{
+  // Of points on a sparse square grid, (5, 0) and (4, 3) are equally far from (0, 0).
+  RandomGenerator generator (seedOfTest());
+  PlanarPoints points;
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 400; ++y)
+      if (drawUnit (generator) < 0.2)
+        points.emplace_back (x, y);
+  std::reverse (points.begin(), points.end());
+  const OctantTree tree (points);
+  for (std::uint32_t point = 0; point < points.size(); ++point) {
+    const OctantNeighbors neighbors = tree.neighborsOf (point);
+    for (std::size_t octant = 0; octant < octants; ++octant)
+      EXPECT_EQ (neighbors.points[octant],
+                 nearestIn (octant, points[point], {point}, points));
+  }
+}
+
 TEST (OctantTree, HasEachPointInOneGroup)
 {
   const PlanarPoints points = pointsInAStrip (100);
