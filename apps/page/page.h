@@ -18,9 +18,9 @@ namespace pcl_ops::apps {
 /** \brief With this number of points a page has 16 MB: 8 letters for each point. */
 inline constexpr std::size_t max_points_on_page = 2'000'000;
 
-/** \brief The points of a plane, or those on no plane, rounded to a lattice. It divides
- * the bounding box of the points along each axis into 65535 equal steps, so that a
- * coordinate takes 16 bits. */
+/** \brief The points of a plane, or those on no plane, rounded to a lattice. The
+ * lattice divides the bounding box of the points along each axis into 65535 equal
+ * steps, so that a coordinate takes 16 bits. */
 struct PointGroup {
   /** \brief The corner of the box with the smallest coordinates. A point is at origin +
    * step * the numbers in \ref steps. */
@@ -55,8 +55,8 @@ groupPoints (const std::vector<std::uint32_t>& labels,
  * writeFile).
  * \param[in] description the text of a JSON object for viewer.js. Its keys are "title",
  * "up" (unit vector), "view" (unit vector from the cloud to the eye), "backs" (whether
- * planes are shown from behind, too), "planes" (as in lists of planes, each with a
- * "color" #rrggbb), and "edges" (each with its ends "from" and "to").
+ * planes are shown from behind, too), "planes" (objects of \ref planeObject, each with
+ * a "color" #rrggbb), and "edges" (each with its ends "from" and "to").
  * \param[in] groups one for each plane, then one for no plane
  * \param[in] shift is added to the positions in \p groups */
 void

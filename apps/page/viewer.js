@@ -31,8 +31,7 @@ function decodedSteps() {
 }
 
 // Returns the middle and half the diagonal (or 1, if this is 0) of the bounding box of all points
-// on planes. If there are none, the box is around all points: else it leaves out points on no
-// plane, as they may lie far away.
+// on planes. Points on no plane may lie far away: they count only if no point is on a plane.
 function middleAndRadius() {
   const maxSteps = 65535;
   const withPoints = groups.filter(group => group.shown), ofPlanes = withPoints.filter(group => group !== groups[planes.length]);
@@ -48,7 +47,7 @@ function middleAndRadius() {
 
 const steps = decodedSteps();
 const [middle, radius] = middleAndRadius(); // all drawn positions are relative to the middle
-const decimals = clamp(4 - Math.floor(Math.log10(radius)), 3, 12); // of coordinates: they show five digits of the radius
+const decimals = clamp(4 - Math.floor(Math.log10(radius)), 3, 12); // of coordinates: so many that the radius has five digits or more
 
 // Adds to each group what drawing needs:
 //   first       index of its first point among all points of the page
@@ -106,6 +105,11 @@ function cameraFrame() {
   return {right, above: cross(back, right), back, eye: add(target, back, distance)};
 }
 
+// Points nearer to the eye are neither drawn nor clicked.
+function nearDistance() {
+  return 0.01 * camera.distance;
+}
+
 // ---- drawing
 
 const canvas = element('points'), marks = element('marks').getContext('2d');
@@ -124,6 +128,7 @@ out float light; // factor of the color
 void main() {
   vec3 ray = origin + scale * steps; // from the eye
   float depth = -dot(back, ray);
+  // z / w is -1 at the near distance and goes to 1 far away: nothing far away is cut off.
   gl_Position = vec4(view.x * dot(right, ray), view.y * dot(above, ray), depth - 2.0 * view.z, depth);
   gl_PointSize = clamp(view.w / max(depth, view.z), pixels.x, pixels.y);
   light = normal == vec3(0.0) ? 1.0 : 0.65 + 0.35 * abs(dot(normal, normalize(ray)));
@@ -197,7 +202,7 @@ function isSeen(i, {eye}) {
   return groups[i].isOn && groups[i].isListed && (isFromFront || element('backs').checked);
 }
 
-// Points are squares as large as the spacing, so that surfaces look closed. They are not drawn nearer to
+// Points are squares a little larger than the spacing (overlap), so that surfaces look closed. They are not drawn nearer to
 // the eye than near. The ratio is that of pixels of the screen to those of the page.
 function drawPoints(frame, near, ratio) {
   const overlap = 1.4, minSide = 1.5, maxSide = 10; // sides of points: in spacings, and bounds in pixels of the page
@@ -232,11 +237,11 @@ function drawLines(frame, ink) {
 
 function draw() {
   pendingFrame = 0;
-  const ratio = window.devicePixelRatio || 1, frame = cameraFrame(), near = 0.01 * camera.distance;
-  for (const layer of [canvas, marks.canvas]) {
-    const width = Math.round(layer.clientWidth * ratio), height = Math.round(layer.clientHeight * ratio);
-    if (layer.width !== width || layer.height !== height) // setting them clears the canvas
-      Object.assign(layer, {width, height});
+  const ratio = window.devicePixelRatio || 1, frame = cameraFrame(), near = nearDistance();
+  for (const surface of [canvas, marks.canvas]) {
+    const width = Math.round(surface.clientWidth * ratio), height = Math.round(surface.clientHeight * ratio);
+    if (surface.width !== width || surface.height !== height) // setting them clears the canvas
+      Object.assign(surface, {width, height});
   }
   const ink = getComputedStyle(document.body).color;
   gl.viewport(0, 0, canvas.width, canvas.height);
@@ -267,7 +272,7 @@ function redrawMoving() {
 
 let chosen = null, chosenBefore = null; // the last point that was clicked, and the one before, relative to the middle
 
-// Lengths and coordinates are in pixels of the page, except along rays.
+// Positions in the picture and lengths with [pixel] are in pixels of the page, other lengths in the unit of the cloud.
 function drawMarks(frame, ratio, ink) {
   const {clientWidth: width, clientHeight: height} = canvas, focal = lens * height / 2; // [pixel]
   const line = points => {
@@ -330,7 +335,7 @@ function pointAt(x, y) {
       const across = width / 2 + focal * (r[0] * u + r[1] * v + r[2] * w + r0) / depth - x; // [pixel] from (x, y)
       const down = height / 2 - focal * (a[0] * u + a[1] * v + a[2] * w + a0) / depth - y;
       const pixelsAway = Math.hypot(across, down), farness = depth * (1 + 4 * pixelsAway / focal);
-      if (pixelsAway <= reach && depth > 0.01 * camera.distance && farness < nearest) {
+      if (pixelsAway <= reach && depth > nearDistance() && farness < nearest) {
         nearest = farness;
         found = {i, point: add(group.fromMiddle, [u * group.step[0], v * group.step[1], w * group.step[2]])};
       }
@@ -339,7 +344,7 @@ function pointAt(x, y) {
   return found;
 }
 
-// Returns the kind of a plane, as "wall"; its orientation if the kind is not known.
+// Returns the kind of a plane, as "wall"; its orientation if it has no kind or the kind "other".
 function nameOf(plane) {
   return plane.kind && plane.kind !== 'other' ? plane.kind : plane.orientation;
 }
@@ -454,7 +459,7 @@ function press(event) {
 function turnWheel(event) {
   event.preventDefault();
   const pixelsOfLine = 30;
-  const isInLines = event.deltaMode !== 0; // else deltaY is in pixels
+  const isInLines = event.deltaMode !== 0; // or in pages, which count as lines; else deltaY is in pixels
   zoom(Math.exp(0.001 * event.deltaY * (isInLines ? pixelsOfLine : 1)));
   redrawMoving();
 }

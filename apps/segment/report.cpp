@@ -34,9 +34,8 @@ printPlanes (const Report& report, std::ostream& stream)
   constexpr std::size_t max_rows = 20;
   const std::vector<std::uint32_t> plane_ids = report.planeIdsOfPieces();
   stream << "  id" << (plane_ids.empty() ? "" : " plane")
-         << "  orientation  kind       points      %       rms         a         b     "
-            "    c"
-            "         d\n";
+         << "  orientation  kind       points      %       rms"
+            "         a         b         c         d\n";
   std::size_t on_no_plane = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::size_t size = planes[i].inliers.size();
@@ -48,7 +47,7 @@ printPlanes (const Report& report, std::ostream& stream)
     if (!plane_ids.empty())
       stream << boost::format (" %5d") % plane_ids[i];
     stream << boost::format (
-                  "  %-10s  %-7s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
+                  "  %-11s  %-7s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
                   toString (planes[i].orientation) % toString (kinds[i]) % size %
                   percentage (size, report.points) % planes[i].rms() % normal.x() %
                   normal.y() % normal.z() % offset;
@@ -56,7 +55,8 @@ printPlanes (const Report& report, std::ostream& stream)
   if (planes.size() > max_rows)
     stream << "      and " << planes.size() - max_rows
            << " smaller ones: --planes FILE.json has them all\n";
-  stream << boost::format ("      no plane            %9d %6.1f\n") % on_no_plane %
+  stream << boost::format ("      %sno plane             %9d %6.1f\n") %
+                (plane_ids.empty() ? "" : "      ") % on_no_plane %
                 percentage (on_no_plane, report.points);
 }
 

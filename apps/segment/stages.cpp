@@ -86,9 +86,10 @@ numberOfLabels (const pcl_ops::Labels& labels)
   return labels.empty() ? 0 : *std::max_element (labels.begin(), labels.end()) + 1;
 }
 
-/** \brief Returns a new number for each region: that of the plane that shares most
- * points with it, so that both have the same color in all pictures. Each plane gives
- * its number to one region. Other regions get numbers above those of all planes.
+/** \brief Returns a new number for each region, so that a region and its plane have the
+ * same color in all pictures. Pairs of a region and a plane come by falling number of
+ * common points: the region takes the number of the plane if neither has a partner yet.
+ * Regions without a plane get numbers above those of all planes.
  * \param[in] regions labels of Stage::Regions
  * \param[in] joined labels of Stage::Joined, some of those in \p regions
  * \param[in] planes labels of Stage::Labels */

@@ -343,7 +343,8 @@ Plan
 loadPlan (const PlanFile& file)
 {
   try {
-    // A folder is no plan either; reading one would throw another exception.
+    // A folder is no plan. Reading one would throw another exception, so none is
+    // opened.
     std::error_code error;
     std::ifstream stream (fs::is_directory (file.name, error) ? "" : file.name);
     const auto json = nlohmann::json::parse (stream);

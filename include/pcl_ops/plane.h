@@ -129,8 +129,8 @@ meanSquaredDistance (const Moments& moments, const Plane& plane)
 struct PlaneFit {
   Plane plane;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  /** \brief Variances along the principal axes, ascending [m^2]. The first is the
-   * squared rms distance of the points to the plane. */
+  /** \brief Variances along the principal axes, ascending and never negative [m^2]. The
+   * first is the squared rms distance of the points to the plane. */
   Eigen::Vector3d variances = Eigen::Vector3d::Zero();
 };
 

@@ -171,11 +171,11 @@ edgesCommand (int argc, const char* const* argv)
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   CommandLine line (
       "pcl_ops_evaluate edges",
-      "Tells how well it is found where planes meet: compares the edges and corners\n"
-      "of planes found by the default preset with those of the true planes, by "
-      "length.\n"
-      "The same are those within 5 cm. Wall edges are of a horizontal and a vertical\n"
-      "plane, 1 m and longer.",
+      "Measures how well edges and corners of planes are found: compares those of the\n"
+      "planes found by the default preset with those of the true planes. They agree "
+      "if\n"
+      "they are within 5 cm. Edges count by length, corners by number. Wall edges are\n"
+      "of a horizontal and a vertical plane, 1 m and longer.",
       PCL_OPS_VERSION);
   line.addArguments ("DATASET", data_set_texts, data_set_help);
   bool prints_json = false;
@@ -186,7 +186,7 @@ edgesCommand (int argc, const char* const* argv)
   std::vector<DataSet> data_sets;
   for (const std::string& text : data_set_texts)
     data_sets.push_back (dataSetOf (text, up));
-  Answer edges = Answer::array();
+  Answer rows = Answer::array();
   for (const DataSet& data_set : data_sets) {
     EdgeScore score;
     for (const CloudSource& source : data_set) {
@@ -198,9 +198,9 @@ edgesCommand (int argc, const char* const* argv)
       });
       std::cerr << source.data_set << ' ' << source.name << std::endl;
     }
-    edges.push_back (answerOf (data_set.front().data_set, score));
+    rows.push_back (answerOf (data_set.front().data_set, score));
   }
-  print ({{"edges", edges}}, prints_json);
+  print ({{"edges", rows}}, prints_json);
   return ExitCode::done;
 }
 

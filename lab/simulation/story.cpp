@@ -147,7 +147,8 @@ drawPassage (const Interval& wall, bool has_glass, Random& random)
   constexpr double beside_pane = 0.3;
   const double door =
       random.between (wall.from + beside_door, wall.to - door_width - beside_door);
-  // Drawn also without glass.
+  // Drawn also without glass, so that stories with and without glass use the same
+  // random numbers.
   const double pane_width = random.between (1.5, 2.5);
   const bool is_pane = has_glass && wall.to - wall.from > pane_width + 1.0;
   if (!is_pane)
@@ -275,8 +276,9 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
     if (has_ceiling)
       add (room.min(), room.max(), ceiling_height);
   }
-  // Floors continue through doors, from each side to the middle of the wall.
-  constexpr double into_wall = 0.12; // half the thickness of the thickest wall
+  // Floors continue through doors and panes, from each side by half the thickness of
+  // the thickest wall. In thinner walls the strips of both sides overlap.
+  constexpr double into_wall = 0.12;
   for (const Face& face : faces)
     for (const Hole& hole : face.holes)
       if (hole.bottom == 0.0) {
@@ -289,7 +291,7 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
 }
 
 /** Adds cupboards in front of a wall, but not of its openings, until they hide a share
- * of its length. Ends after 20 attempts to place one. */
+ * of its length to within 0.3 m. Ends after 20 attempts to place one. */
 void
 furnish (const Face& face, double share, Random& random, Body& body)
 {
@@ -358,7 +360,8 @@ directionOf (std::size_t ray)
 }
 
 /** Scans each room from a position near its middle, and appends the points to the cloud
- * of the story. The error of the scan position grows from room to room by the drift. */
+ * of the story. On the way from room to room an error in a random direction is added to
+ * the position, by the drift. */
 void
 scanRooms (const Scene& scene,
            const StoryHardship& hardship,

@@ -7,9 +7,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The generator of all random numbers. The C++ standard fixes the output of
- * std::mt19937, but not that of the std:: distributions: the functions below replace
- * these distributions. */
+/** \brief The generator of all random numbers of the library. The C++ standard fixes
+ * the output of std::mt19937, but not that of the std:: distributions: the functions
+ * below replace these distributions. */
 using RandomGenerator = std::mt19937;
 
 /** \brief Returns an unbiased draw from 0 .. bound - 1; 0 for bound 0 (D. Lemire, "Fast

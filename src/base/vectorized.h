@@ -5,11 +5,10 @@
 /** \brief Attribute that compiles a function twice: for the default target and for
  * AVX2. The loader picks AVX2 if the processor has it. Neither version fuses
  * multiplications with additions or reorders sums: both give the same results to the
- * last bit. Put the
- * function into an unnamed namespace, else GCC exports it. The attribute is empty
- * except for GCC on x86-64 GNU/Linux without the address or thread sanitizer: these do
- * not cope with functions that the loader picks. Define the macro as empty to build
- * without AVX2. */
+ * last bit. Put the function into an unnamed namespace, else GCC exports it. The
+ * attribute is empty except for GCC on x86-64 GNU/Linux without the address or thread
+ * sanitizer: the sanitizers do not cope with functions that the loader picks. Define
+ * the macro as empty to build without AVX2. */
 #ifndef PCL_OPS_VECTORIZED
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) &&              \
     !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&                           \

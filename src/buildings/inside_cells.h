@@ -13,10 +13,10 @@ struct CellEvidence {
    */
   double covered = 0.0;
   double uncovered = 0.0;
-  /** \brief Length of the parts of the cell's border that have no wall if the cell is
-   * in a room, whatever other cells are [m]: those on the rim of the plan, the border
-   * of the box that holds all cells. For a cell within a wall it is the whole border.
-   */
+  /** \brief Length of the border that counts against the cell being in a room, whether
+   * the cells beside it are in rooms or not [m]: that of the sides on the rim of the
+   * plan, the border of the box that holds all cells. For a cell within a wall it is
+   * the length of all sides. */
   double border_without_wall = 0.0;
 };
 

@@ -34,10 +34,10 @@ public:
   offer (float squared_distance, std::uint32_t index)
   {
     if (squared_distance > squared_bound_ ||
-        (size_ == wanted_ && !isNearer (squared_distance, index, size_ - 1)))
+        (size_ == wanted_ && !comesBefore (squared_distance, index, size_ - 1)))
       return;
     std::size_t slot = size_ < wanted_ ? size_++ : size_ - 1;
-    for (; slot > 0 && isNearer (squared_distance, index, slot - 1); --slot) {
+    for (; slot > 0 && comesBefore (squared_distance, index, slot - 1); --slot) {
       squared_distances_[slot] = squared_distances_[slot - 1];
       indices_[slot] = indices_[slot - 1];
     }
@@ -70,7 +70,7 @@ public:
 private:
   // Returns whether a point comes before the one in a slot.
   bool
-  isNearer (float squared_distance, std::uint32_t index, std::size_t slot) const
+  comesBefore (float squared_distance, std::uint32_t index, std::size_t slot) const
   {
     return squared_distance < squared_distances_[slot] ||
            (squared_distance == squared_distances_[slot] && index < indices_[slot]);
@@ -101,11 +101,12 @@ public:
   /** \brief Searches the nearest neighbors of one of the points.
    * \param[in] position of the query point in \ref order
    * \param[in,out] nearest after NearestPoints::start; receives the neighbors and the
-   * query point itself, unless it is full of equal points with lower indices */
+   * query point itself; the query point is missing if equal points with lower indices
+   * fill the list */
   void
   find (std::size_t position, NearestPoints& nearest) const;
 
-  /** \brief The points in the order of \ref order, in their own frame. */
+  /** \brief The points in the order of \ref order, with unchanged coordinates. */
   const Coordinates&
   sorted () const
   {

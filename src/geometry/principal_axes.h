@@ -15,7 +15,7 @@ struct PrincipalAxes {
    * two smallest eigenvalues are equal to within rounding: then it has many unit
    * eigenvectors. */
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  /** \brief Ascending eigenvalues. */
+  /** \brief Ascending eigenvalues, none below 0. */
   Eigen::Vector3d values = Eigen::Vector3d::Zero();
 };
 

@@ -75,11 +75,10 @@ patchOf (const std::vector<Eigen::Vector3d>& nearest)
     moments.add (p.x(), p.y(), p.z());
   }
   const PrincipalAxes axes = principalAxes (moments.covariance());
-  // Rounding can make a variance of 0 negative.
   return {axes.normal,
           nearest.front(),
-          std::sqrt (squared_width_of_variance * std::max (0.0, axes.values[1])),
-          std::sqrt (std::max (0.0, axes.values[0]))};
+          std::sqrt (squared_width_of_variance * axes.values[1]),
+          std::sqrt (axes.values[0])};
 }
 
 // Refits the normal of a patch to those of more nearest points that lie on its plane.

@@ -88,7 +88,7 @@ supportOf (const PrincipalAxes& axes, double independent_points)
 {
   const double correction =
       independent_points / (independent_points - parameters_of_plane);
-  const Eigen::Vector3d variances = axes.values.cwiseMax (0.0);
+  const Eigen::Vector3d& variances = axes.values;
   const double scatter = std::sqrt (variances[0] * correction);
   const double width = std::sqrt (squared_width_of_variance * variances[1]);
   Support support;

@@ -28,7 +28,7 @@ reachOf (const Region& region, double noise)
   // Joined parts tilt, as those of a cambered road, and lie beyond the noise of the
   // region that took them. So a region with parts reaches as far as its rms distance
   // allows. If all regions did, hills would become thick planes.
-  const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
+  const double rms = std::sqrt (region.fit.variances[0]);
   const double thickness =
       region.has_parts
           ? std::clamp (rms, noise, place_constants.max_rms_over_noise * noise)

@@ -188,13 +188,13 @@ private:
 double
 Region::width() const
 {
-  return std::sqrt (squared_width_of_variance * std::max (0.0, fit.variances[1]));
+  return std::sqrt (squared_width_of_variance * fit.variances[1]);
 }
 
 double
 Region::length() const
 {
-  return std::sqrt (squared_width_of_variance * std::max (0.0, fit.variances[2]));
+  return std::sqrt (squared_width_of_variance * fit.variances[2]);
 }
 
 void

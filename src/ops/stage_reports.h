@@ -50,7 +50,7 @@ observerOfPoints (const StageObserver& observer,
                   const Points& points,
                   std::size_t size_of_cloud);
 
-/** \brief Reports to \p observer, unless that is empty, Stage::Labels: for each point
+/** \brief Reports Stage::Labels to \p observer, unless that is empty: for each point
  * of the cloud the index of its plane in \p planes, or no_plane. */
 void
 reportLabels (const StageObserver& observer,

@@ -25,7 +25,7 @@ constexpr double wanted_voxels = 9000.0;
  * first cluster that has a point in it. */
 BoundedPlanes
 boundedByClusters (const std::vector<HoughPlane>& planes,
-                   const OctreeClusters& found,
+                   const OctreeClusters& octree,
                    const VoxelGrid& grid)
 {
   const Indices voxel_of_point = voxelsOfPoints (grid);
@@ -35,9 +35,9 @@ boundedByClusters (const std::vector<HoughPlane>& planes,
     const auto label = static_cast<std::int32_t> (bounded.planes.size());
     bounded.planes.push_back (plane.plane);
     for (const std::uint32_t c : plane.clusters) {
-      const CoplanarCluster& cluster = found.clusters[c];
+      const CoplanarCluster& cluster = octree.clusters[c];
       for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-        const std::uint32_t voxel = voxel_of_point[found.points[i].index];
+        const std::uint32_t voxel = voxel_of_point[octree.points[i].index];
         if (bounded.plane_of_voxel[voxel] == no_plane)
           bounded.plane_of_voxel[voxel] = label;
       }
@@ -91,7 +91,7 @@ restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
  * \ref assignPoints are small: most planes are too far from a block and are skipped. */
 LabelledPlanes
 assignAndMergeUnbounded (const Points& points,
-                         const OctreeClusters& found,
+                         const OctreeClusters& octree,
                          const std::vector<HoughPlane>& hough_planes,
                          const KernelHoughTransformParameters& parameters,
                          StageDurations& durations)
@@ -103,13 +103,13 @@ assignAndMergeUnbounded (const Points& points,
   for (const HoughPlane& plane : hough_planes)
     planes.push_back (plane.plane);
   Coordinates in_octree_order;
-  for (const OctreePoint& point : found.points)
+  for (const OctreePoint& point : octree.points)
     in_octree_order.add (point.x, point.y, point.z);
   const Labels labels =
       assignPoints (in_octree_order, planes, theta_h, AssignmentRule::First, threads);
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
   for (std::size_t i = 0; i < labels.size(); ++i)
-    assigned.labels[found.points[i].index] = labels[i];
+    assigned.labels[octree.points[i].index] = labels[i];
   clock.lap (durations.assignment);
   assigned.moments = momentsOfLabels (points, assigned.labels, planes.size(), threads);
   LabelledPlanes merged =
@@ -123,7 +123,7 @@ assignAndMergeUnbounded (const Points& points,
  * they grow into. Then assigns points to them (\ref assignToBoundedPlanes). */
 LabelledPlanes
 mergeAndAssignBounded (const Points& points,
-                       const OctreeClusters& found,
+                       const OctreeClusters& octree,
                        const std::vector<HoughPlane>& hough_planes,
                        const KernelHoughTransformParameters& parameters,
                        StageDurations& durations)
@@ -137,7 +137,7 @@ mergeAndAssignBounded (const Points& points,
       voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
   connect (grid, parameters.threads);
   clock.lap (durations.search);
-  BoundedPlanes planes = boundedByClusters (hough_planes, found, grid);
+  BoundedPlanes planes = boundedByClusters (hough_planes, octree, grid);
   growAndMergeOnVoxels (grid, parameters, planes);
   clock.lap (durations.merging);
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
@@ -166,22 +166,22 @@ detectByVotes (const Points& points,
   const double theta_h = *parameters.distance_threshold;
   StageClock clock;
   // octree: nodes of roughly coplanar points
-  const OctreeClusters clusters =
+  const OctreeClusters octree =
       findCoplanarClusters (points, parameters.clusters, parameters.threads);
   clock.lap (durations.search);
   // accumulator ball: Gaussian kernels vote for (rho, phi, theta), peaks are planes
   std::vector<HoughPlane> planes =
-      voteForPlanes (clusters, parameters.phi_num, parameters.rho_num);
+      voteForPlanes (octree, parameters.phi_num, parameters.rho_num);
   // refits planes to their clusters, away from the centers of bins
   if (parameters.refit.enabled)
-    planes = refitPlanes (planes, clusters, parameters.refit.min_share, theta_h);
+    planes = refitPlanes (planes, octree, parameters.refit.min_share, theta_h);
   clock.lap (durations.extraction);
   // assigns points to planes and merges planes by the coplanarity test of the OPS
   // paper; bounded planes are merged first
   LabelledPlanes found =
       parameters.refit.enabled
-          ? mergeAndAssignBounded (points, clusters, planes, parameters, durations)
-          : assignAndMergeUnbounded (points, clusters, planes, parameters, durations);
+          ? mergeAndAssignBounded (points, octree, planes, parameters, durations)
+          : assignAndMergeUnbounded (points, octree, planes, parameters, durations);
   found.planes_before_merging = planes.size();
   return found;
 }

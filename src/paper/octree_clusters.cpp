@@ -17,8 +17,8 @@
 namespace pcl_ops::internal {
 namespace {
 
-// A root cube with an edge [m] below this counts as a single point, because single
-// precision cannot number its leaves.
+// A root cube with an edge [m] below this counts as a single point: in single precision
+// the number of cubes per meter at its deepest levels may be infinite.
 constexpr double smallest_edge = 1e-30;
 
 // Points farther from a node's plane than this share of its edge are dropped.
@@ -37,7 +37,8 @@ struct Range {
 };
 
 /** Returns the range of the values without the 2 percent at either end, which may be
- * outliers. At most 10,000 of the values, evenly spread, are used. */
+ * outliers. At most 10,000 of the values, evenly spread, are used. Of two values low is
+ * the larger one. */
 Range
 rangeWithoutStrays (const std::vector<float>& values)
 {
@@ -68,7 +69,7 @@ boxWithoutOutliers (const Coordinates& points)
   const Eigen::Vector3d low (x.low, y.low, z.low);
   const Eigen::Vector3d high (x.high, y.high, z.high);
   const double spread = (high - low).maxCoeff();
-  // If nearly all points are equal, no other point counts as an outlier.
+  // If nearly all points are equal, or there are only two, no point is an outlier.
   const double width = spread > 0.0 ? spread : std::numeric_limits<double>::infinity();
   return {low - Eigen::Vector3d::Constant (width),
           high + Eigen::Vector3d::Constant (width)};
@@ -152,6 +153,7 @@ struct Descent {
   sortedNode (int level, std::size_t code) const
   {
     const double edge = std::ldexp (root.edge, -level);
+    // Codes of the octree are made without key_offset: these are coordinates of cubes.
     const VoxelKey cube = shiftedKeyOf (code);
     // In units of the node's edge.
     const Eigen::Vector3d from_corner (cube.x + 0.5, cube.y + 0.5, cube.z + 0.5);
@@ -322,13 +324,16 @@ findCoplanarClusters (const Coordinates& points,
   const Indices begins = sortPoints (points, result);
   const int start_level = std::clamp (parameters.first_level, 0, max_start_level);
   const std::size_t start_nodes = std::size_t (1) << (3 * start_level);
-  constexpr std::size_t nodes_per_chunk = 1;
-  const auto clusters_of_nodes = parallelPieces (
-      threads, start_nodes, nodes_per_chunk, [&] (std::size_t code, std::size_t) {
-        Descent descent{result.root, begins, parameters, result.points};
-        descent.descend (descent.sortedNode (start_level, code));
-        return std::move (descent.clusters);
-      });
+  constexpr std::size_t nodes_per_piece = 1;
+  const auto clusters_of_nodes =
+      parallelPieces (threads,
+                      start_nodes,
+                      nodes_per_piece,
+                      [&] (std::size_t code, std::size_t /*end*/) {
+                        Descent descent{result.root, begins, parameters, result.points};
+                        descent.descend (descent.sortedNode (start_level, code));
+                        return std::move (descent.clusters);
+                      });
   for (const std::vector<CoplanarCluster>& clusters : clusters_of_nodes)
     result.clusters.insert (result.clusters.end(), clusters.begin(), clusters.end());
   return result;

@@ -89,7 +89,7 @@ projectedPlaneOf (const CloudView& cloud,
   ProjectedPlane projected{PlaneFrame (plane.centroid, plane.normal),
                            pointsOnPlane (cloud, plane, in_cloud),
                            {},
-                           std::sqrt (std::max (0.0, fit->variances[0])),
+                           std::sqrt (fit->variances[0]),
                            std::sqrt (area / plane.moments.count)};
   for (const Eigen::Vector2d& point : projected.points)
     if (point.allFinite())

@@ -14,7 +14,7 @@ import sys
 
 
 def is_private(node):
-    """Whether the name of a node of a syntax tree begins with _ (but is not as __init__)."""
+    """Whether a node of a syntax tree has a name that begins with _ and does not end with __."""
     name = getattr(node, "name", "")
     return name.startswith("_") and not name.endswith("__")
 
@@ -22,16 +22,18 @@ def is_private(node):
 def name_parameters(node, function):
     """Replaces **parameters in the node of a function by those that its signature shows."""
     for parameter in inspect.signature(function).parameters.values():
+        # Parameters of the extension have texts as annotations. The node has all others.
         if parameter.kind == parameter.KEYWORD_ONLY and isinstance(parameter.annotation, str):
             node.args.kwonlyargs.append(ast.arg(parameter.name, ast.Name(parameter.annotation)))
             node.args.kw_defaults.append(ast.Constant(...))
     node.args.kwarg = None
-    node.decorator_list.clear()
+    node.decorator_list.clear()  # the decorator named_parameters makes that signature
 
 
 def stub_of(tree, owner):
-    """Removes code and private names from the tree of a module or class; returns the tree.
+    """Removes code of functions, private functions and classes from a tree; returns the tree.
 
+    tree: of a module or class. Assignments without annotations stay as they are.
     owner: the imported module or class itself.
     """
     tree.body = [node for node in tree.body if not is_private(node)]

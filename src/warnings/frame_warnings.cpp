@@ -101,7 +101,7 @@ isFloorAlong (const Eigen::Vector3d& up,
     return false;
   // Turns signed distances to the plane into heights over it.
   const double sign = fit->plane.normal.dot (up) > 0.0 ? 1.0 : -1.0;
-  const double rms = std::sqrt (std::max (0.0, fit->variances[0]));
+  const double rms = std::sqrt (fit->variances[0]);
   const double min_height = -warning_constants.rms_below_floor * rms;
   std::size_t points_below = 0;
   for (std::size_t i = 0; i < sample.labels.size(); ++i)

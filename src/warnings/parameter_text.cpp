@@ -12,8 +12,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief The name of the parameter in Python, mostly of segment, that has the meaning
- * of a command line option: mostly that of the option. */
+/** \brief Returns the name in Python of the parameter that a command line option sets.
+ * It is the name of the option with _ in place of -, except for the options in the
+ * list. */
 std::string
 pythonNameOf (std::string option)
 {
@@ -60,10 +61,10 @@ std::string
 roundedUpLength (double length)
 {
   constexpr double smallest = 1e-6;
-  const double at_least = std::max (length, smallest);
-  const double unit = unitOfFirstDigit (at_least);
+  const double bounded = std::max (length, smallest);
+  const double unit = unitOfFirstDigit (bounded);
   constexpr double rounding = 1e-9; // 0.3 / 0.1 is rounded to a number below 3
-  return numberText ((std::floor (at_least / unit + rounding) + 1.0) * unit);
+  return numberText ((std::floor (bounded / unit + rounding) + 1.0) * unit);
 }
 
 std::string

@@ -50,7 +50,7 @@ spreadOf (const PlaneSegment& plane)
   spread.plane = fit->plane;
   spread.centroid = fit->centroid;
   spread.points = plane.moments.count;
-  spread.rms = std::sqrt (std::max (0.0, fit->variances[0]));
+  spread.rms = std::sqrt (fit->variances[0]);
   spread.width = std::sqrt (squared_side_by_variance * fit->variances[1]);
   spread.length = std::sqrt (squared_side_by_variance * fit->variances[2]);
   return spread;

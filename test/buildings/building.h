@@ -125,7 +125,7 @@ twoRooms (const Opening& opening = door)
 
 /** \brief Number of openings of all walls. */
 inline std::size_t
-openingsOf (const FloorPlan& plan)
+numberOfOpenings (const FloorPlan& plan)
 {
   std::size_t number = 0;
   for (const PlanWall& wall : plan.walls)

@@ -35,7 +35,7 @@ TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
   const FloorPlan plan = roomOf4By3().plan();
   ASSERT_EQ (plan.walls.size(), 4u);
   EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_mm) << "from corner to corner";
-  ASSERT_EQ (openingsOf (plan), 1u);
+  ASSERT_EQ (numberOfOpenings (plan), 1u);
   const PlanOpening& found_door = plan.walls[0].openings.at (0);
   EXPECT_NEAR (found_door.width(), 0.9_m, 6_cm);
   EXPECT_NEAR (found_door.from.x(), 1_m, 3_cm);
@@ -107,7 +107,7 @@ TEST (FloorPlan, HasNoDoorThatEndsBelowTheCut)
   above_door.cut_height = 2.3_m;
   const FloorPlan plan = roomOf4By3().plan (above_door);
   EXPECT_EQ (plan.walls.size(), 4u);
-  EXPECT_EQ (openingsOf (plan), 0u);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
 }
 
 TEST (FloorPlan, OfARoomWithACupboardAtItsWallIsThatOfTheRoom)
@@ -133,7 +133,7 @@ TEST (FloorPlan, HasNoOpeningBehindFurniture)
       PlaneKind::Other, Vector3d::UnitY(), uprightAlongX (0.4, {0.9, 0.0}, {2.0, 2.0}));
   const FloorPlan plan = furnished.plan();
   EXPECT_EQ (plan.walls.size(), 4u);
-  EXPECT_EQ (openingsOf (plan), 0u);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
 }
 
 TEST (FloorPlan, HasAnOpeningBehindFurnitureWhereAnythingIsSeenThroughIt)
@@ -145,7 +145,7 @@ TEST (FloorPlan, HasAnOpeningBehindFurnitureWhereAnythingIsSeenThroughIt)
                    Vector3d (0, 1, 1).normalized(),
                    uprightAlongX (y, {0.9, 0.0}, {2.0, 2.0}));
   }
-  EXPECT_EQ (openingsOf (furnished.plan()), 1u);
+  EXPECT_EQ (numberOfOpenings (furnished.plan()), 1u);
 }
 
 TEST (FloorPlan, HasNoThicknessBetweenWallsThatFaceTheSameWay)
@@ -164,7 +164,7 @@ TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
   closed.wall ({1.0, -0.1}, {1.9, -0.1}); // the leaf of the door
   const FloorPlan plan = closed.plan();
   EXPECT_EQ (plan.walls.size(), 4u);
-  EXPECT_EQ (openingsOf (plan), 1u);
+  EXPECT_EQ (numberOfOpenings (plan), 1u);
 }
 
 TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
@@ -198,7 +198,7 @@ TEST (FloorPlan, HasNoOpeningWhereAnotherPlaneFillsTheGap)
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
   const FloorPlan plan = room.plan();
   EXPECT_EQ (plan.walls.size(), 1u);
-  EXPECT_EQ (openingsOf (plan), 0u);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
 }
 
 TEST (FloorPlan, HasNoRoomBetweenTheTwoSidesOfAWall)
@@ -226,7 +226,7 @@ TEST (FloorPlan, HasNoOpeningWhereTheOtherSideOfAWallWasSeen)
   flat.wall ({0, 0}, {4, 0}).wall ({3, -0.1}, {1, -0.1});
   const FloorPlan plan = flat.plan();
   EXPECT_FALSE (plan.walls.empty());
-  EXPECT_EQ (openingsOf (plan), 0u);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
 }
 
 TEST (FloorPlan, DrawsEndsOfWallsToTheirCommonCorners)
@@ -249,7 +249,7 @@ TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
   ASSERT_EQ (plan.rooms.size(), 2u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
   EXPECT_NEAR (plan.rooms[1].area, 12.0, 0.01);
-  EXPECT_EQ (openingsOf (plan), 2u) << "one of each side";
+  EXPECT_EQ (numberOfOpenings (plan), 2u) << "one of each side";
   std::size_t thick = 0;
   for (const PlanWall& wall : plan.walls)
     if (wall.thickness) {
@@ -320,7 +320,7 @@ TEST (FloorPlan, IsTheSameInReverseOrderOfPlanes)
   const FloorPlan plan = flat.plan();
   EXPECT_EQ (plan.walls.size(), before.walls.size());
   EXPECT_NEAR (sumOfLengths (plan), sumOfLengths (before), 1_mm);
-  EXPECT_EQ (openingsOf (plan), openingsOf (before));
+  EXPECT_EQ (numberOfOpenings (plan), numberOfOpenings (before));
   ASSERT_EQ (plan.rooms.size(), 2u);
   EXPECT_NEAR (plan.rooms[1].area, 12.0, 0.01);
 }
@@ -441,7 +441,7 @@ TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutIfTheFloorEndsAtIt)
   };
   const FloorPlan plan = planWithFloorUpTo (3.5);
   EXPECT_EQ (plan.walls.size(), 4u);
-  EXPECT_EQ (openingsOf (plan), 0u);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
   EXPECT_TRUE (plan.rooms[0].unseen.empty());
@@ -510,7 +510,7 @@ TEST (FloorPlan, IsCutOverTheLowestFloorAtAnyHeight)
   const FloorPlan plan = room.plan();
   EXPECT_NEAR (plan.floor, 30_m, 1_mm);
   EXPECT_NEAR (plan.height, 31.2_m, 1_mm);
-  EXPECT_EQ (openingsOf (plan), 1u);
+  EXPECT_EQ (numberOfOpenings (plan), 1u);
 }
 
 TEST (FloorPlan, CutInAnUpperStoryHasTheHeightOfItsFloor)
@@ -596,7 +596,7 @@ TEST (FloorPlan, OfSparsePointsHasAWallWithoutOpenings)
   const FloorPlan plan = room.plan();
   ASSERT_EQ (plan.walls.size(), 1u);
   EXPECT_NEAR (plan.walls[0].length(), 4_m, 1_mm);
-  EXPECT_EQ (openingsOf (plan), 0u);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
 }
 
 TEST (FloorPlan, HasBothSidesOfAThinWall)
@@ -632,7 +632,7 @@ TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
   const FloorPlan in_camera =
       findFloorPlan (turned.cloud, turned.planes, turned.kinds, -Vector3d::UnitY());
   EXPECT_NEAR (in_camera.rooms.at (0).area, 12.0, 0.01);
-  EXPECT_EQ (openingsOf (in_camera), 1u);
+  EXPECT_EQ (numberOfOpenings (in_camera), 1u);
 }
 
 TEST (FloorPlan, OfACloudInMillimetersIsInMeters)
@@ -654,7 +654,7 @@ TEST (FloorPlan, OfACloudInMillimetersIsInMeters)
   EXPECT_NEAR (plan.rooms[0].area, expected.rooms.at (0).area, 1e-4);
   EXPECT_NEAR (plan.rooms[0].middle.x(), expected.rooms[0].middle.x() + 7_m, 1e-4);
   EXPECT_NEAR (plan.rooms[0].floor.value(), 0.5, 1e-4) << "500 mm";
-  EXPECT_EQ (openingsOf (plan), openingsOf (expected));
+  EXPECT_EQ (numberOfOpenings (plan), numberOfOpenings (expected));
 }
 
 TEST (FloorPlan, OfNothingIsEmpty)

@@ -151,14 +151,14 @@ TEST (PlanLimits, OfWhatHidesADoor)
   const auto openingsBehindAPiece = [] (double distance) {
     Building room = roomOf4By3();
     addPiece (room, Vector3d::UnitY(), {0.9, distance, 0}, {1.1, 0, 0}, {0, 0, 2});
-    return openingsOf (room.plan());
+    return numberOfOpenings (room.plan());
   };
   // An upright piece before the door whose lowest points are this far above the cut.
   const auto openingsBelowAPiece = [] (double over_cut) {
     Building room = roomOf4By3();
     const Vector3d corner (0.9, 0.4, height_of_cut + over_cut - half_spacing);
     addPiece (room, Vector3d::UnitY(), corner, {1.1, 0, 0}, {0, 0, 0.5});
-    return openingsOf (room.plan());
+    return numberOfOpenings (room.plan());
   };
   // A level piece, which is no leaf, in the door, this far behind the front of the
   // wall.
@@ -166,7 +166,7 @@ TEST (PlanLimits, OfWhatHidesADoor)
     Building room = roomOf4By3();
     const Vector3d corner (0.9, -depth - half_spacing, height_of_cut);
     addPiece (room, Vector3d::UnitZ(), corner, {1.1, 0, 0}, {0, 0.04, 0});
-    return openingsOf (room.plan());
+    return numberOfOpenings (room.plan());
   };
   expectPlanLimits (
       {{"distance, at most 80 cm", 0.75, 0.85, 0, 1, openingsBehindAPiece},

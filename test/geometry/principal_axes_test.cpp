@@ -36,6 +36,7 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolverInAnyUnitOfLength)
     EXPECT_NEAR (axes.normal.norm(), 1.0, 1e-12);
     EXPECT_LT (angleBetween (axes.normal, oracle.eigenvectors().col (0)), 1e-7);
     EXPECT_TRUE (axes.values.isApprox (oracle.eigenvalues(), 1e-8));
+    EXPECT_GE (axes.values.minCoeff(), 0.0) << "rounding makes no variance negative";
   }
 }
 
@@ -48,5 +49,6 @@ TEST (PrincipalAxes, HaveTwoValuesOfZeroForALine)
     // A double root of the characteristic polynomial is found to half of the digits.
     EXPECT_TRUE (values.isApprox (Eigen::Vector3d (0.0, 0.0, 1e12), 1e-6))
         << values.transpose();
+    EXPECT_GE (values.minCoeff(), 0.0) << "rounding makes no variance negative";
   }
 }

@@ -63,7 +63,7 @@ TEST (DepthLevels, AreSeenInAnyDirection)
 
 TEST (DepthLevels, MayBeRoundedOrJittered)
 {
-  constexpr double rounding = 2e-5; // of coordinates that were turned in between
+  constexpr double rounding = 2e-5; // as after a turn to another frame and back [m]
   for (const double jitter : {rounding, 1_mm}) {
     const DepthLevels levels = levelsOf (slantedWallInSteps (4_cm, jitter));
     ASSERT_FALSE (levels.step.empty()) << jitter;
@@ -71,7 +71,7 @@ TEST (DepthLevels, MayBeRoundedOrJittered)
   }
 }
 
-TEST (DepthLevels, MayBeRoundedAcross)
+TEST (DepthLevels, MayBeRoundedInATurnedFrame)
 {
   Coordinates points = drawnOn ({slanted_wall}, 5_mm, 0.0);
   const auto roundedToMillimeters = [] (double value) {
@@ -93,7 +93,7 @@ TEST (DepthLevels, MayBeRoundedAcross)
   EXPECT_GT (steps_near_1_cm, points.size() * 9 / 10);
 }
 
-TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
+TEST (DepthLevels, AreNotSeenInNoiseFacesFewPointsGridsOrAFloor)
 {
   // White noise.
   EXPECT_TRUE (levelsOf (drawnOn ({slanted_wall}, 1_cm, 1_cm)).step.empty());

@@ -50,7 +50,7 @@ scatteredBoard (int points, double noise)
   return cloud;
 }
 
-/** \brief Fails unless the extent is as long and wide and has the area of the board, up
+/** \brief Fails unless length, width and area of the extent are those of the board, up
  * to a relative tolerance. */
 void
 expectBoard (const PlaneExtent& extent, double tolerance)
@@ -263,8 +263,8 @@ TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangleWithoutPointsThatAreNotF
 
 TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
 {
-  // A square of 1 m one of whose corners, each in turn, is cut off. A rectangle along
-  // the cut has a larger area than the square.
+  // A square of 1 m with one corner cut off: each corner in turn. A rectangle along the
+  // cut has a larger area than the square.
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5}) {
       const PlanarPoints points = {

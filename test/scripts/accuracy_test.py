@@ -69,8 +69,8 @@ class Scores(unittest.TestCase):
 class Differences(unittest.TestCase):
     def test_a_change_within_twice_the_scatter_is_noise(self):
         before = with_truth(0.6, scatter=0.02)
-        for moved, expected in ((0.039, False), (-0.039, False), (0.041, True), (-0.041, True)):
-            self.assertEqual(accuracy.differs(with_truth(0.6 + moved), before), expected)
+        for change, expected in ((0.039, False), (-0.039, False), (0.041, True), (-0.041, True)):
+            self.assertEqual(accuracy.differs(with_truth(0.6 + change), before), expected)
 
     def test_four_stored_digits_are_no_change_of_a_set_without_scatter(self):
         before = with_truth(0.6667, scatter=0.0)
@@ -117,7 +117,7 @@ class Agreements(unittest.TestCase):
         self.assertAlmostEqual(rows["all-median"]["moved"], 0.525)
         self.assertAlmostEqual(rows["all-tenth"]["moved"], 0.15)
 
-    def test_a_row_of_steadiness_has_the_number_and_both_ends_of_each_change(self):
+    def test_a_row_of_steadiness_has_the_number_and_median_and_tenth_of_each_change(self):
         sets = {"real-a": agreeing(with_truth(0.6), 0.9, 1.0, 1.0),
                 "wild-b": agreeing(without_truth(0.9, 0.2), 0.5)}
         row = accuracy.steadiness_of("loop", sets)
@@ -149,8 +149,7 @@ class Stored(unittest.TestCase):
         values = {"rooms": agreeing(with_truth(0.625, scatter=0.125), 1.0, 1.0),
                   "wild-kitti": agreeing(without_truth(0.75, 0.25), 0.5, 0.5)}
         with mock.patch.object(accuracy, "STORED", self.folder / "accuracy.csv"), \
-                mock.patch.object(accuracy, "measure_all",
-                                  lambda folder, names, *_: values):
+                mock.patch.object(accuracy, "measure_all", lambda *_: values):
             printed(accuracy.store, self.folder, list(values), "ops")
             stored = accuracy.read_stored()
             over_clouds = accuracy.read_stored_overall()

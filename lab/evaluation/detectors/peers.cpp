@@ -31,7 +31,7 @@ namespace pcl_ops::evaluation {
 namespace {
 
 /** Distance threshold of a peer, in multiples of the noise. */
-constexpr double noises_of_threshold = 3.0;
+constexpr double threshold_in_noises = 3.0;
 
 /** Returns the rms distance of inliers to their planes, as found by the default preset
  * of OPS; a third of the usual threshold if it finds no plane [m]. */
@@ -50,7 +50,7 @@ noiseOf (const XyzCloud::ConstPtr& cloud)
       points += plane.moments.count;
     }
   return points > 0.0 ? std::sqrt (sum_of_squares / points)
-                      : usual_peer_threshold / noises_of_threshold;
+                      : usual_peer_threshold / threshold_in_noises;
 }
 
 /** Returns the median over sampled points of the point spacing: the distance between
@@ -68,7 +68,7 @@ spacingOf (const XyzCloud::ConstPtr& cloud)
   const std::size_t stride = cloud->size() / samples + 1;
   for (std::size_t i = 0; i < cloud->size(); i += stride) {
     tree.nearestKSearch ((*cloud)[i], neighbors, found, squared_distances);
-    // The square root of the area of the disk with the neighbors, per neighbor.
+    // The square root of the area per neighbor in the disk that holds the neighbors.
     spacings.push_back (
         std::sqrt (M_PI * squared_distances.back() / double (found.size())));
   }
@@ -107,15 +107,15 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
   PeerValues values{threshold,
                     settings.peer_neighbors.value_or (default_neighbors),
                     2.0 * threshold,
-                    threshold / noises_of_threshold};
+                    threshold / threshold_in_noises};
   if (source == ValuesFrom::Tutorial || cloud->empty())
     return values;
-  values.noise = settings.peer_noise ? *settings.peer_noise : noiseOf (cloud);
   const double spacing = spacingOf (cloud);
   if (!(spacing > 0.0)) // most points coincide
     return values;
+  values.noise = settings.peer_noise ? *settings.peer_noise : noiseOf (cloud);
   // Exact points have no noise, but need a threshold above 0.
-  values.threshold = std::max (noises_of_threshold * values.noise, 0.1 * spacing);
+  values.threshold = std::max (threshold_in_noises * values.noise, 0.1 * spacing);
   values.gap = std::max (values.threshold, 4.0 * spacing);
   // A plane through k points spread evenly over a disk of radius r errs by an angle of
   // 2 noise / (r sqrt (k)), and r = spacing sqrt (k / pi).
@@ -264,6 +264,7 @@ planesByPclRegionGrowing (const PeerTask& task)
   growing.setInputNormals (normals);
   growing.setSearchMethod (tree);
   growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
+  // PCL's tutorial has 3 degrees.
   growing.setSmoothnessThreshold (float (paper_angle_tolerance));
   growing.setCurvatureThreshold (1.0f); // as in PCL's tutorial: normals alone decide
   growing.setMinClusterSize (pcl::uindex_t (task.minPoints (min_points_of_region)));
@@ -277,7 +278,7 @@ namespace {
 Normals::Ptr
 normalsOfImage (const XyzCloud::ConstPtr& image)
 {
-  // The values of PCL's demo of OrganizedMultiPlaneSegmentation.
+  // The values of PCL's program openni_organized_multi_plane_segmentation.
   constexpr float max_depth_change = 0.03f; // relative to the depth
   constexpr float smoothing = 20.0f;        // edge of the window [px]
   Normals::Ptr normals (new Normals);
@@ -312,7 +313,7 @@ replacePixelsByPoints (const XyzCloud& image, Planes& planes)
 Planes
 planesInImage (const PeerTask& task)
 {
-  // The values of PCL's demo of OrganizedMultiPlaneSegmentation.
+  // The values of PCL's program openni_organized_multi_plane_segmentation.
   const double max_angle = pcl::deg2rad (2.0); // between normals [rad]
   constexpr double demo_distance = 0.02;       // to a plane, at a depth of 1 m [m]
   const XyzCloud::Ptr image = inCameraFrame (*task.settings.image);

@@ -20,9 +20,9 @@ enum class ValuesFrom { Tutorial, Cloud };
 /** Returns parameters of peers. ValuesFrom::Tutorial takes the threshold of \p
  * settings. ValuesFrom::Cloud takes three times the noise as the threshold, as many
  * neighbors as make normals err by 3 degrees, and four times the point spacing as the
- * gap, all within limits. Neighbors and noise that \p settings give replace those of
- * the tutorials and of the cloud. An empty cloud, and a cloud most of whose points
- * coincide, get the values of the tutorials. */
+ * gap, all within limits. Neighbors that \p settings give replace those of both
+ * sources. Noise that they give replaces that of the cloud. An empty cloud, and a cloud
+ * most of whose points coincide, get the values of the tutorials. */
 PeerValues
 valuesFor (const XyzCloud::ConstPtr& cloud,
            const RunSettings& settings,

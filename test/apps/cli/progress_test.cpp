@@ -63,6 +63,7 @@ TEST (StageLines, SayTheStageAndItsTime)
   // Reading from a pipe waits until another thread has written a line.
   const std::string pipe = folder / "terminal";
   ASSERT_EQ (::mkfifo (pipe.c_str(), 0600), 0);
+  // Also open for writing: else opening would wait for the other end of the pipe.
   std::fstream reader (pipe);
   std::ofstream terminal (pipe);
   StageLines lines (terminal, std::chrono::milliseconds (1));
