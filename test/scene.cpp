@@ -56,11 +56,10 @@ drawPointOf (const Surface& surface, double noise, RandomGenerator& generator)
   return surface.at (s, t) + offset * surface.normal();
 }
 
-LabelledScene
+LabeledScene
 Scene::build()
 {
-  LabelledScene scene{
-      pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(), {}, surfaces_};
+  LabeledScene scene{pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(), {}, surfaces_};
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const long count = std::lround (surfaces_[i].area() / (spacing_ * spacing_));
     for (long k = 0; k < count; ++k)
@@ -73,7 +72,7 @@ Scene::build()
 }
 
 void
-Scene::addClutter (LabelledScene& scene)
+Scene::addClutter (LabeledScene& scene)
 {
   Eigen::AlignedBox3d box;
   for (const Surface& surface : surfaces_)
@@ -188,7 +187,7 @@ isNear (const pcl_ops::Plane& plane,
 
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
-                         const LabelledScene& scene,
+                         const LabeledScene& scene,
                          double max_angle,
                          double max_distance)
 {

@@ -112,7 +112,7 @@ drawPointOf (const Surface& surface, double noise, RandomGenerator& generator);
 
 /** \brief A cloud with its ground truth. The label of each point is an index into
  * surfaces, or -1 for clutter. */
-struct LabelledScene {
+struct LabeledScene {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
   std::vector<int> labels;
   std::vector<Surface> surfaces;
@@ -176,19 +176,19 @@ public:
 
   /** \brief Draws the points of one surface after the other, then the clutter. Each
    * call draws other points. */
-  LabelledScene
+  LabeledScene
   build ();
 
 private:
   /** \brief Adds a point, moved by the shift of the scene. */
   void
-  add (LabelledScene& scene, const Eigen::Vector3d& point, int label) const
+  add (LabeledScene& scene, const Eigen::Vector3d& point, int label) const
   {
     scene.cloud->push_back (toPoint (point + shift_));
     scene.labels.push_back (label);
   }
   void
-  addClutter (LabelledScene& scene);
+  addClutter (LabeledScene& scene);
 
   RandomGenerator generator_;
   std::vector<Surface> surfaces_;
@@ -247,6 +247,6 @@ isNear (const pcl_ops::Plane& plane,
  * plane near each surface (\ref isNear) has at least 90 % of the surface's points. */
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
-                         const LabelledScene& scene,
+                         const LabeledScene& scene,
                          double max_angle = 1_deg,
                          double max_distance = 1_cm);

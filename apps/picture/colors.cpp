@@ -112,12 +112,12 @@ ColorScale::at (float position)
 }
 
 void
-saveLabelledCloud (const std::string& file,
-                   const FileCloud& cloud,
-                   const std::vector<std::uint32_t>& labels,
-                   const std::vector<float>& distances,
-                   bool keeps_color,
-                   const std::vector<std::uint32_t>& planes)
+saveLabeledCloud (const std::string& file,
+                  const FileCloud& cloud,
+                  const std::vector<std::uint32_t>& labels,
+                  const std::vector<float>& distances,
+                  bool keeps_color,
+                  const std::vector<std::uint32_t>& planes)
 {
   const bool has_color = hasField (cloud, "rgb") || hasField (cloud, "rgba");
   saveCloud (file, cloud, [&] (FileCloud& part, std::size_t first) {

@@ -57,11 +57,11 @@ public:
  * of those of the labels
  * \param[in] planes one for each point, for a field "plane"; empty: no such field */
 void
-saveLabelledCloud (const std::string& file,
-                   const FileCloud& cloud,
-                   const std::vector<std::uint32_t>& labels,
-                   const std::vector<float>& distances,
-                   bool keeps_color,
-                   const std::vector<std::uint32_t>& planes = {});
+saveLabeledCloud (const std::string& file,
+                  const FileCloud& cloud,
+                  const std::vector<std::uint32_t>& labels,
+                  const std::vector<float>& distances,
+                  bool keeps_color,
+                  const std::vector<std::uint32_t>& planes = {});
 
 } // namespace pcl_ops::apps

@@ -157,7 +157,7 @@ saveLabeled (const std::string& file,
       options.has_distances ? distancesOf (cloud, planes) : std::vector<float>();
   if (isLasName (file))
     return saveLabeledLas (file, *cloud.las, labels, distances, plane_id_of_point);
-  saveLabelledCloud (
+  saveLabeledCloud (
       file, cloud, labels, distances, options.keeps_color, plane_id_of_point);
 }
 

@@ -84,7 +84,7 @@ struct PointFile {
     std::vector<std::uint32_t> labels;
     forPositions (
         [&] (const Eigen::Vector3d& point) { labels.push_back (label_of (point)); });
-    saveLabelledCloud (output, cloud, labels, {}, false);
+    saveLabeledCloud (output, cloud, labels, {}, false);
   }
 
   std::string name;

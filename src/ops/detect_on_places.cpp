@@ -14,13 +14,13 @@
 
 namespace pcl_ops::internal {
 
-LabelledPlanes
+LabeledPlanes
 detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,
                 StageDurations& times)
 {
   const unsigned threads = parameters.threads;
-  LabelledPlanes found;
+  LabeledPlanes found;
   StageClock clock;
 
   const DistinctPlaces distinct = distinctPlaces (points, threads);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "detection/labelled_planes.h"
+#include "detection/labeled_planes.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 namespace pcl_ops::internal {
@@ -13,7 +13,7 @@ namespace pcl_ops::internal {
  * OrientedPointSamplingParameters::on_stage gets the results of all stages except
  * Stage::Labels, with a value for each of \p points.
  * \param[in,out] times the durations of the stages are added to it */
-LabelledPlanes
+LabeledPlanes
 detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,
                 StageDurations& times);

@@ -27,7 +27,7 @@ usedSampling (const OrientedPointSamplingParameters& parameters)
 
 // Calls the detector of the used sampling: as in the paper, on voxels, or on
 // neighborhoods, the default.
-LabelledPlanes
+LabeledPlanes
 detectBySampling (const DetectorInput& input,
                   const OrientedPointSamplingParameters& parameters,
                   const Points& points,

@@ -182,7 +182,7 @@ labelPointsOf (const Points& points,
 
 // Fits planes to the assigned points. Merges planes only if the user gave a merging
 // distance: without one, the joins of regions replace the merging.
-LabelledPlanes
+LabeledPlanes
 fitAndMerge (AssignedPoints assigned, const OrientedPointSamplingParameters& parameters)
 {
   MergingParameters given = parameters.merging;
@@ -196,7 +196,7 @@ fitAndMerge (AssignedPoints assigned, const OrientedPointSamplingParameters& par
 void
 setNoises (const DistinctPlaces& distinct,
            const PlaceNoise& noise,
-           LabelledPlanes& found)
+           LabeledPlanes& found)
 {
   std::vector<std::vector<float>> noises =
       noisesOfPlanes (found.labels, found.planes.fits.size(), [&] (std::size_t point) {
@@ -215,7 +215,7 @@ setNoises (const DistinctPlaces& distinct,
 
 } // namespace
 
-LabelledPlanes
+LabeledPlanes
 planesOfRegions (const Points& points,
                  const DistinctPlaces& distinct,
                  const Places& places,
@@ -234,7 +234,7 @@ planesOfRegions (const Points& points,
       distinct, places, regions, parameters.distance_threshold, labels, is_plane);
   if (!parameters.distance_threshold)
     dropThickPlanes (distinct, noise, labels, parameters.threads, is_plane);
-  LabelledPlanes found = fitAndMerge (
+  LabeledPlanes found = fitAndMerge (
       labelPointsOf (points, distinct, labels, is_plane, parameters.threads),
       parameters);
   setNoises (distinct, noise, found);

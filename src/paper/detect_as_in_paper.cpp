@@ -42,7 +42,7 @@ extractPlanes (const Points& points,
   return planes;
 }
 
-LabelledPlanes
+LabeledPlanes
 detectAsInPaper (const DetectorInput& input,
                  const Points& points,
                  const OrientedPointSamplingParameters& parameters,
@@ -77,7 +77,7 @@ detectAsInPaper (const DetectorInput& input,
                                parameters.threads);
   clock.lap (durations.assignment);
   // section III-C: merges planes by the coplanarity test on each pair
-  LabelledPlanes found =
+  LabeledPlanes found =
       mergePlanesOf (std::move (assigned), mergingOf (parameters), parameters.threads);
   clock.lap (durations.merging);
   return found;

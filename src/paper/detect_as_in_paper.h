@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "detection/labelled_planes.h"
+#include "detection/labeled_planes.h"
 #include "paper/oriented_points.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
@@ -28,7 +28,7 @@ extractPlanes (const Points& points,
  * \param[in] points all finite points of the cloud
  * \param[in] parameters with a distance_threshold
  * \param[in,out] durations to which the wall time of each stage is added [ms] */
-LabelledPlanes
+LabeledPlanes
 detectAsInPaper (const DetectorInput& input,
                  const Points& points,
                  const OrientedPointSamplingParameters& parameters,

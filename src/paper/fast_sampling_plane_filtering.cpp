@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/stage_clock.h"
-#include "detection/labelled_planes.h"
+#include "detection/labeled_planes.h"
 #include "paper/local_plane_sampling.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 
@@ -41,7 +41,7 @@ detail::detect (const DetectorInput& input,
         points, planes, theta_h, AssignmentRule::First, parameters.threads);
     clock.lap (durations.assignment);
     // fits the planes to their points, and merges planes that have become coplanar
-    LabelledPlanes found =
+    LabeledPlanes found =
         mergePlanesOf (std::move (assigned), merging, parameters.threads);
     found.planes_before_merging = sampled.moments.size();
     clock.lap (durations.merging);

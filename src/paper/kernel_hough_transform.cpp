@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/stage_clock.h"
 #include "cloud/voxel_size.h"
-#include "detection/labelled_planes.h"
+#include "detection/labeled_planes.h"
 #include "paper/hough_planes.h"
 #include "voxels/bounded_assignment.h"
 #include "voxels/bounded_planes.h"
@@ -89,7 +89,7 @@ restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
 /** Assigns points to unbounded planes (\ref assignPoints), and merges the planes (\ref
  * mergePlanes). Points are assigned in the order of the octree, in which the blocks of
  * \ref assignPoints are small: most planes are too far from a block and are skipped. */
-LabelledPlanes
+LabeledPlanes
 assignAndMergeUnbounded (const Points& points,
                          const OctreeClusters& octree,
                          const std::vector<HoughPlane>& hough_planes,
@@ -112,7 +112,7 @@ assignAndMergeUnbounded (const Points& points,
     assigned.labels[octree.points[i].index] = labels[i];
   clock.lap (durations.assignment);
   assigned.moments = momentsOfLabels (points, assigned.labels, planes.size(), threads);
-  LabelledPlanes merged =
+  LabeledPlanes merged =
       mergePlanesOf (std::move (assigned), mergingOf (parameters), threads);
   restorePlanes (merged.planes, planes);
   clock.lap (durations.merging);
@@ -121,7 +121,7 @@ assignAndMergeUnbounded (const Points& points,
 
 /** Merges planes that are bounded by voxels: those of their clusters, and those that
  * they grow into. Then assigns points to them (\ref assignToBoundedPlanes). */
-LabelledPlanes
+LabeledPlanes
 mergeAndAssignBounded (const Points& points,
                        const OctreeClusters& octree,
                        const std::vector<HoughPlane>& hough_planes,
@@ -152,13 +152,13 @@ mergeAndAssignBounded (const Points& points,
                          assigned);
   MergingParameters keep_apart;
   keep_apart.enabled = false;
-  LabelledPlanes kept =
+  LabeledPlanes kept =
       mergePlanesOf (std::move (assigned), keep_apart, parameters.threads);
   clock.lap (durations.assignment);
   return kept;
 }
 
-LabelledPlanes
+LabeledPlanes
 detectByVotes (const Points& points,
                const KernelHoughTransformParameters& parameters,
                StageDurations& durations)
@@ -178,7 +178,7 @@ detectByVotes (const Points& points,
   clock.lap (durations.extraction);
   // assigns points to planes and merges planes by the coplanarity test of the OPS
   // paper; bounded planes are merged first
-  LabelledPlanes found =
+  LabeledPlanes found =
       parameters.refit.enabled
           ? mergeAndAssignBounded (points, octree, planes, parameters, durations)
           : assignAndMergeUnbounded (points, octree, planes, parameters, durations);

@@ -140,7 +140,7 @@ writeCloud (const std::string& file,
     if (plane_labels.empty())
       saveCloud (file, cloud);
     else
-      saveLabelledCloud (file, cloud, plane_labels, distances_of_points, keeps_color);
+      saveLabeledCloud (file, cloud, plane_labels, distances_of_points, keeps_color);
   });
 }
 

@@ -281,7 +281,7 @@ coarsestVoxel (const SurfelParameters& surfels)
   return std::ldexp (surfels.voxel_size.value_or (0.0), surfels.resolutions - 1);
 }
 
-LabelledPlanes
+LabeledPlanes
 detectOnVoxels (const Points& points,
                 const Parameters& parameters,
                 StageDurations& durations)
@@ -291,7 +291,7 @@ detectOnVoxels (const Points& points,
   // Only fits each plane to its points: planes have been merged already.
   MergingParameters keep_apart;
   keep_apart.enabled = false;
-  LabelledPlanes found =
+  LabeledPlanes found =
       mergePlanesOf (std::move (assigned), keep_apart, parameters.threads);
   found.planes_before_merging = tally.planes_before_merging;
   found.used = tally.used;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "detection/labelled_planes.h"
+#include "detection/labeled_planes.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 namespace pcl_ops::internal {
@@ -20,7 +20,7 @@ coarsestVoxel (const SurfelParameters& surfels);
  * grid, with normals from the moments around them; planes end where their voxels end.
  * Points that no plane explains are searched again, in voxels of half the edge.
  * \param[in,out] durations the time of each stage is added [ms] */
-LabelledPlanes
+LabeledPlanes
 detectOnVoxels (const Points& points,
                 const OrientedPointSamplingParameters& parameters,
                 StageDurations& durations);

@@ -68,7 +68,7 @@ extentWithoutStrays (std::vector<float> values)
 
 /** \brief Whether x and y look like degrees and z like meters. */
 bool
-looksLikeDegrees (const LabelledSample& sample)
+looksLikeDegrees (const LabeledSample& sample)
 {
   const Eigen::Array2d max_degrees (180.0, 90.0); // longitude, latitude
   Eigen::AlignedBox3d box;
@@ -91,7 +91,7 @@ looksLikeDegrees (const LabelledSample& sample)
 bool
 isFloorAlong (const Eigen::Vector3d& up,
               const PlaneSegment& plane,
-              const LabelledSample& sample)
+              const LabeledSample& sample)
 {
   const std::optional<PlaneFit> fit = fitPlane (plane.moments);
   const double min_points =
@@ -114,7 +114,7 @@ isFloorAlong (const Eigen::Vector3d& up,
 /** \brief Whether nearly all points lie in the view of a depth camera at zero that
  * looks along z. */
 bool
-looksLikeCamera (const LabelledSample& sample)
+looksLikeCamera (const LabeledSample& sample)
 {
   const double min_cosine = std::cos (warning_constants.max_angle_ahead);
   std::size_t ahead = 0;
@@ -170,7 +170,7 @@ warnOfPoses (const ResultContext& context, const ParameterText& text)
 }
 
 std::optional<ResultWarning>
-warnOfUnit (const LabelledSample& sample,
+warnOfUnit (const LabeledSample& sample,
             const ResultContext& context,
             const ParameterText& text)
 {
@@ -206,7 +206,7 @@ warnOfUnit (const LabelledSample& sample,
 }
 
 std::optional<ResultWarning>
-warnOfPrecision (const LabelledSample& sample, const ResultContext& context)
+warnOfPrecision (const LabeledSample& sample, const ResultContext& context)
 {
   if (sample.labels.empty() || context.tiles) // tiles are in a frame of their own
     return std::nullopt;
@@ -258,7 +258,7 @@ warnOfViewpoint (const CloudView& cloud,
 }
 
 std::optional<ResultWarning>
-warnOfUp (const LabelledSample& sample,
+warnOfUp (const LabeledSample& sample,
           const std::vector<PlaneSegment>& planes,
           const ResultContext& context,
           const ParameterText& text)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "warnings/labelled_sample.h"
+#include "warnings/labeled_sample.h"
 #include "warnings/parameter_text.h"
 #include <pcl_ops/plane.h>
 #include <pcl_ops/result_warnings.h>
@@ -30,14 +30,14 @@ warnOfPoses (const ResultContext& context, const ParameterText& text);
 
 /** \brief Warns that the coordinates are not meters: degrees, feet or millimeters. */
 std::optional<ResultWarning>
-warnOfUnit (const LabelledSample& sample,
+warnOfUnit (const LabeledSample& sample,
             const ResultContext& context,
             const ParameterText& text);
 
 /** \brief Warns that coordinates are so far from zero, as in UTM, that single precision
  * hardly tells neighboring points apart. */
 std::optional<ResultWarning>
-warnOfPrecision (const LabelledSample& sample, const ResultContext& context);
+warnOfPrecision (const LabeledSample& sample, const ResultContext& context);
 
 /** \brief Warns that the cloud was not seen from the given viewpoint. */
 std::optional<ResultWarning>
@@ -48,7 +48,7 @@ warnOfViewpoint (const CloudView& cloud,
 /** \brief Warns that kinds of planes were asked for but the up axis is not known: the
  * planes cannot tell it, or the default is doubtful. */
 std::optional<ResultWarning>
-warnOfUp (const LabelledSample& sample,
+warnOfUp (const LabeledSample& sample,
           const std::vector<PlaneSegment>& planes,
           const ResultContext& context,
           const ParameterText& text);

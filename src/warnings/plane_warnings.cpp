@@ -186,7 +186,7 @@ mayBeOnBoth (const Eigen::Vector3d& point,
 
 /** \brief Counts the nearest neighbors of some searched_points sampled points. */
 NeighborCounts
-countNeighbors (const LabelledSample& sample, const std::vector<PlaneSpread>& planes)
+countNeighbors (const LabeledSample& sample, const std::vector<PlaneSpread>& planes)
 {
   const PointTree tree (sample.points);
   // The searched points are evenly spread over the order of the tree, and so in space.
@@ -282,7 +282,7 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
 }
 
 std::optional<ResultWarning>
-warnOfMixedLabels (const LabelledSample& sample,
+warnOfMixedLabels (const LabeledSample& sample,
                    const std::vector<PlaneSegment>& planes,
                    const std::optional<TiledSearch>& tiles,
                    const ParameterText& text)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "warnings/labelled_sample.h"
+#include "warnings/labeled_sample.h"
 #include "warnings/parameter_text.h"
 #include <pcl_ops/plane.h>
 #include <pcl_ops/result_warnings.h>
@@ -33,7 +33,7 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
 /** \brief Warns that neighboring points are on different planes that may be one
  * surface. */
 std::optional<ResultWarning>
-warnOfMixedLabels (const LabelledSample& sample,
+warnOfMixedLabels (const LabeledSample& sample,
                    const std::vector<PlaneSegment>& planes,
                    const std::optional<TiledSearch>& tiles,
                    const ParameterText& text);

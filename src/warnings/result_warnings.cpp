@@ -16,7 +16,7 @@ resultWarnings (const CloudView& cloud,
 {
   using namespace internal;
   const ParameterText text{context.names};
-  const LabelledSample sample = sampleWithLabels (cloud, planes, context.shift);
+  const LabeledSample sample = sampleWithLabels (cloud, planes, context.shift);
   std::vector<ResultWarning> warnings;
   const auto add = [&] (std::optional<ResultWarning> warning) {
     if (warning && warnings.size() < context.max_warnings)

@@ -131,7 +131,7 @@ areUnassignedPointsFlat (const CloudView& cloud,
 
 std::optional<ResultWarning>
 warnOfUnassignedPoints (const CloudView& cloud,
-                        const LabelledSample& sample,
+                        const LabeledSample& sample,
                         const std::vector<PlaneSegment>& planes,
                         const OpsParameters& search,
                         const ParameterText& text)
@@ -163,7 +163,7 @@ warnOfUnassignedPoints (const CloudView& cloud,
 }
 
 std::optional<ResultWarning>
-warnOfUnassignedPoints (const LabelledSample& sample,
+warnOfUnassignedPoints (const LabeledSample& sample,
                         const TiledSearch& tiles,
                         const ParameterText& text)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "warnings/labelled_sample.h"
+#include "warnings/labeled_sample.h"
 #include "warnings/parameter_text.h"
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/result_warnings.h>
@@ -18,7 +18,7 @@ namespace pcl_ops::internal {
  * \param[in] search the parameters that the planes were found with */
 std::optional<ResultWarning>
 warnOfUnassignedPoints (const CloudView& cloud,
-                        const LabelledSample& sample,
+                        const LabeledSample& sample,
                         const std::vector<PlaneSegment>& planes,
                         const OrientedPointSamplingParameters& search,
                         const ParameterText& text);
@@ -26,7 +26,7 @@ warnOfUnassignedPoints (const CloudView& cloud,
 /** \brief The same for a survey: searches only the clouds of \ref
  * TiledSearch::places_on_none, with voxels of half the edge. */
 std::optional<ResultWarning>
-warnOfUnassignedPoints (const LabelledSample& sample,
+warnOfUnassignedPoints (const LabeledSample& sample,
                         const TiledSearch& tiles,
                         const ParameterText& text);
 

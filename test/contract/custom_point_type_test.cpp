@@ -14,7 +14,7 @@ struct ThermalPoint {
 
 TEST (CustomPointType, IsTheTypeOfTheCloudAndOfTheContoursOfItsRegions)
 {
-  const LabelledScene scene = room().build();
+  const LabeledScene scene = room().build();
   const auto cloud = pcl::make_shared<pcl::PointCloud<ThermalPoint>>();
   for (const pcl::PointXYZ& point : *scene.cloud) {
     ThermalPoint thermal{};

@@ -35,7 +35,7 @@ planesAmong (const Cloud::ConstPtr& cloud)
 /** \brief Points on one surface.
  * \param[in] spacing mean distance between neighboring points [m]
  * \param[in] noise standard deviation along the normal [m] */
-LabelledScene
+LabeledScene
 pointsOn (const Surface& surface, double spacing, double noise)
 {
   return Scene()
@@ -49,7 +49,7 @@ pointsOn (const Surface& surface, double spacing, double noise)
  * tenths of the scene's points.
  * \param[in] max_distance as in \ref isNear [m] */
 bool
-hasSurfaceOf (const LabelledScene& scene,
+hasSurfaceOf (const LabeledScene& scene,
               const std::vector<PlaneSegment>& planes,
               double max_distance)
 {
@@ -63,7 +63,7 @@ hasSurfaceOf (const LabelledScene& scene,
  * of both: the center of the noisy surface at most 3 cm from its plane, that of the
  * precise one at most 1 cm. */
 void
-expectFindsBoth (const LabelledScene& noisy, const LabelledScene& precise)
+expectFindsBoth (const LabeledScene& noisy, const LabeledScene& precise)
 {
   const std::vector<PlaneSegment> planes =
       planesAmong (pcl::make_shared<Cloud> (*noisy.cloud + *precise.cloud));
@@ -101,7 +101,7 @@ TEST (DefaultPath, LeavesOutAnObjectThatCrossesTheHeightOfTheFloorBeyondItsEdge)
   // Surface 0 is the floor. Surface 1 is a chair leg, which stands a meter beyond the
   // edge of the floor and reaches from 0.4 m below the height of the floor to 0.4 m
   // above it.
-  const LabelledScene scene =
+  const LabeledScene scene =
       Scene().floor (2, 2).surface ({3, 0, -0.4}, {0.04, 0, 0}, {0, 0, 0.8}).build();
   Ops ops = opsOn (scene.cloud);
   const std::vector<PlaneSegment> planes = planesOf (ops);
@@ -112,7 +112,7 @@ TEST (DefaultPath, LeavesOutAnObjectThatCrossesTheHeightOfTheFloorBeyondItsEdge)
 
 TEST (DefaultPath, HasNoInlierFartherFromItsPlaneThanAGivenThreshold)
 {
-  const LabelledScene scene = Scene().floor (3, 3).noise (1_cm).build();
+  const LabeledScene scene = Scene().floor (3, 3).noise (1_cm).build();
   Ops ops = opsOn (scene.cloud);
   const std::size_t inliers_without_threshold = planesOf (ops).at (0).inliers.size();
   ops.setDistanceThreshold (1_cm);
@@ -184,7 +184,7 @@ TEST (DefaultPath, ExtendsAFloorByLinesOfPointsBesideIt)
   // Beside a floor are two lines of points, as rings of a lidar are, at a distance of
   // 10 cm: too few points for a plane of their own. Heights of 2 mm and -2 mm
   // alternate.
-  LabelledScene scene = Scene().floor (2, 2).spacing (2_cm).noise (2_mm).build();
+  LabeledScene scene = Scene().floor (2, 2).spacing (2_cm).noise (2_mm).build();
   const std::size_t on_floor = scene.cloud->size();
   for (const float x : {2.1f, 2.2f})
     for (int i = 0; i < 80; ++i)

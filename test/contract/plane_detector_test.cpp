@@ -57,7 +57,7 @@ cloudsWithoutAPlane ()
 /** \brief Fails unless the first planes, the largest, are near the surfaces of the
  * scene. More planes, of clutter, may follow. */
 void
-expectHasEverySurface (std::vector<PlaneSegment> planes, const LabelledScene& scene)
+expectHasEverySurface (std::vector<PlaneSegment> planes, const LabeledScene& scene)
 {
   ASSERT_GE (planes.size(), scene.surfaces.size());
   planes.resize (scene.surfaces.size());
@@ -132,7 +132,7 @@ protected:
     static_cast<pcl::PCLBase<pcl::PointXYZ>&> (detector).setInputCloud (cloud);
   }
 
-  LabelledScene room = denseRoom().build();
+  LabeledScene room = denseRoom().build();
   Detector detector;
 };
 
@@ -347,8 +347,8 @@ TYPED_TEST (PlaneDetector, FindsEverySurfaceOfOneCloudAfterAnother)
   TypeParam detector;
   std::vector<PlaneSegment> planes;
   EXPECT_FALSE (detector.segment (planes)) << "without a cloud first";
-  const LabelledScene small = Scene().floor (1.5, 1.5).spacing (2_cm).build();
-  for (const LabelledScene& scene : {this->room, small, this->room}) {
+  const LabeledScene small = Scene().floor (1.5, 1.5).spacing (2_cm).build();
+  for (const LabeledScene& scene : {this->room, small, this->room}) {
     detector.setInputCloud (scene.cloud);
     expectHasEverySurface (planesOf (detector), scene);
   }
@@ -402,7 +402,7 @@ TYPED_TEST (PlaneDetector, HasStagesThatTakeTimeAndTogetherNoMoreThanTheDetectio
 
 TYPED_TEST (PlaneDetector, PutsPointsThatAreNotFiniteOnNoPlane)
 {
-  LabelledScene& scene = this->room;
+  LabeledScene& scene = this->room;
   scene.cloud->is_dense = true; // although points follow that are not finite
   for (std::size_t i = 0; i < scene.labels.size(); i += 3) {
     (*scene.cloud)[i].z = i % 2 ? NAN : HUGE_VALF;
@@ -592,17 +592,17 @@ TEST (Ops, FindsOnlyTrueSurfacesAThousandKilometersFromZero)
   // cm. In a hall OPS finds all surfaces, whatever its parameters. In a room it has to
   // with the parameters of the paper alone; with others it may find fewer surfaces.
   const Eigen::Vector3d shift (1e6, -1e6, 1e6);
-  const LabelledScene hall = Scene()
-                                 .floor (40_m, 30_m)
-                                 .wall ({0, 0}, {40, 0}, 25_m)
-                                 .wall ({0, 0}, {0, 30}, 25_m)
-                                 .spacing (20_cm)
-                                 .movedBy (shift)
-                                 .build();
-  const LabelledScene small = room().movedBy (shift).spacing (2_cm).build();
+  const LabeledScene hall = Scene()
+                                .floor (40_m, 30_m)
+                                .wall ({0, 0}, {40, 0}, 25_m)
+                                .wall ({0, 0}, {0, 30}, 25_m)
+                                .spacing (20_cm)
+                                .movedBy (shift)
+                                .build();
+  const LabeledScene small = room().movedBy (shift).spacing (2_cm).build();
   const struct {
     Ops ops;
-    LabelledScene scene;
+    LabeledScene scene;
     std::size_t min_planes;
   } rows[] = {{opsOn (hall.cloud), hall, 3},
               {voxelsOn (hall.cloud), hall, 3},

@@ -360,7 +360,7 @@ class Pages(unittest.TestCase):
     def test_the_drawing_of_the_stages_has_the_functions_of_the_source(self):
         drawing = (SOURCES / "src/doc/images/stages.svg").read_text()
         source = (SOURCES / "src/ops/detect_on_places.cpp").read_text()
-        main_function = source[source.index("LabelledPlanes\ndetectOnPlaces"):]
+        main_function = source[source.index("LabeledPlanes\ndetectOnPlaces"):]
         names = ", ".join(re.findall(r'class="title">(.*?)<', drawing)).split(", ")
         self.assertGreater(len(names), 7)
         for name in names:

@@ -23,7 +23,7 @@ neighborhoodParameters ()
 }
 
 /** \brief What detectOnPlaces finds, without the durations of its stages. */
-LabelledPlanes
+LabeledPlanes
 detectIn (const Points& points,
           const OpsParameters& parameters = neighborhoodParameters())
 {
@@ -80,7 +80,7 @@ struct FrequentLabel {
  * and the share of these points with that label; no_plane and 0 if there are no planes.
  */
 FrequentLabel
-mostFrequentLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
+mostFrequentLabel (const LabeledPlanes& found, std::size_t begin, std::size_t end)
 {
   std::vector<std::size_t> counts (found.planes.fits.size() + 1);
   for (std::size_t i = begin; i < end; ++i)
@@ -97,7 +97,7 @@ mostFrequentLabel (const LabelledPlanes& found, std::size_t begin, std::size_t e
  * surface_ends[0]; those of the second follow and end before surface_ends[1], and so on
  * \param[in] min_share least share of the points of a surface that are on its plane */
 void
-expectEachHasItsPlane (const LabelledPlanes& found,
+expectEachHasItsPlane (const LabeledPlanes& found,
                        const std::vector<std::size_t>& surface_ends,
                        double min_share = 0.9)
 {
@@ -127,7 +127,7 @@ inOrder (const Points& points, const Indices& order)
 TEST (DetectOnPlaces, FindsTheSurfacesOfARoomAndNothingElse)
 {
   const Points points = smallRoom();
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 3u);
   expectEachHasItsPlane (found,
                          {points_of_room_floor,
@@ -138,13 +138,13 @@ TEST (DetectOnPlaces, FindsTheSurfacesOfARoomAndNothingElse)
 TEST (DetectOnPlaces, LabelsPointsTheSameInAnyOrder)
 {
   const Points points = smallRoom();
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   ASSERT_EQ (found.planes.fits.size(), 3u);
   RandomGenerator generator (seedOfTest());
   Indices order = upTo (points.size());
   for (int shuffle = 0; shuffle < 3; ++shuffle) {
     std::shuffle (order.begin(), order.end(), generator);
-    const LabelledPlanes again = detectIn (inOrder (points, order));
+    const LabeledPlanes again = detectIn (inOrder (points, order));
     ASSERT_EQ (again.planes.fits.size(), found.planes.fits.size());
     for (std::size_t i = 0; i < order.size(); ++i)
       ASSERT_EQ (again.labels[i], found.labels[order[i]]);
@@ -154,12 +154,12 @@ TEST (DetectOnPlaces, LabelsPointsTheSameInAnyOrder)
 TEST (DetectOnPlaces, FindsTheSameWithAnyNumberOfThreads)
 {
   const Points points = smallRoom();
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   ASSERT_GE (found.planes.fits.size(), 3u);
   for (const unsigned threads : {2u, 3u}) {
     OpsParameters parameters = neighborhoodParameters();
     parameters.threads = threads;
-    const LabelledPlanes again = detectIn (points, parameters);
+    const LabeledPlanes again = detectIn (points, parameters);
     EXPECT_EQ (again.labels, found.labels);
     ASSERT_EQ (again.planes.fits.size(), found.planes.fits.size());
     for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
@@ -184,7 +184,7 @@ TEST (DetectOnPlaces, FindsTheFacesOfARoofAndNoPlaneInTheHillBelow)
   addDrawn (points, {{-4, -5, 6}, {4, 0, 2}, {0, 10, 0}}, 15_cm, 1_cm);
   const std::size_t left_face_end = points.size();
   addDrawn (points, {{0, -5, 8}, {4, 0, -2}, {0, 10, 0}}, 15_cm, 1_cm);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   ASSERT_GE (found.planes.fits.size(), 2u);
   std::size_t on_hill = 0;
   for (std::size_t i = 0; i < hill_end; ++i)
@@ -221,7 +221,7 @@ TEST (DetectOnPlaces, TellsTheSidesOfAWallApart)
       {{{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}}, {{0, 0.1, 0}, {4, 0, 0}, {0, 0, 2.5}}},
       2_cm,
       3_mm);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 2u);
   expectEachHasItsPlane (found, {points.size() / 2, points.size()});
 }
@@ -247,7 +247,7 @@ TEST (DetectOnPlaces, TellsTheSidesOfABodyOnAnExactGridApart)
         points.add (step * static_cast<float> (x),
                     step * static_cast<float> (y),
                     step * static_cast<float> (layer));
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 2u);
   expectEachHasItsPlane (found, {points.size() / 2, points.size()});
 }
@@ -283,7 +283,7 @@ TEST (DetectOnPlaces, TellsTheNoiseAroundEachPlane)
   // A floor, and far sparser a wall that is ten times as noisy.
   Points points = drawnPoints ({floor_of_room}, 2_cm, 2_mm);
   addDrawn (points, {{-10, 5, 0}, {20, 0, 0}, {0, 0, 15}}, 15_cm, 2_cm);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   ASSERT_EQ (found.planes.fits.size(), 2u);
   for (std::size_t p = 0; p < 2; ++p) {
     const bool is_floor = std::abs (found.planes.fits[p].plane.normal.z()) > 0.5;
@@ -295,7 +295,7 @@ TEST (DetectOnPlaces, TellsTheNoiseAroundEachPlane)
 TEST (DetectOnPlaces, SaysNoNoiseWhereNoPlaceTells)
 {
   // An exact plane.
-  const LabelledPlanes found =
+  const LabeledPlanes found =
       detectIn (drawnPoints ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, 2_cm, 0.0));
   ASSERT_EQ (found.planes.fits.size(), 1u);
   EXPECT_EQ (found.noises, std::vector<std::optional<double>> (1));
@@ -315,7 +315,7 @@ TEST (DetectOnPlaces, KeepsEachPlaneAsThinAsItsNoiseSays)
     for (std::size_t i = 0; i < points.size(); ++i)
       points.z[i] += static_cast<float> (height * std::sin (wave_number * points.x[i]) *
                                          std::cos (wave_number * points.y[i]));
-    const LabelledPlanes found = detectIn (points);
+    const LabeledPlanes found = detectIn (points);
     EXPECT_GE (found.planes.fits.size(), 4u);
     // No plane may be thicker than 12 noises; these stay well below.
     for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
@@ -326,7 +326,7 @@ TEST (DetectOnPlaces, KeepsEachPlaneAsThinAsItsNoiseSays)
 
 TEST (DetectOnPlaces, SaysHowFarPointsMayBeFromTheirPlanes)
 {
-  const LabelledPlanes found = detectIn (smallRoom());
+  const LabeledPlanes found = detectIn (smallRoom());
   constexpr double three_noises = 3 * 3_mm;
   EXPECT_NEAR (found.used.distance_threshold.value_or (0.0), three_noises, 2_mm);
   EXPECT_EQ (found.used.voxel_size, std::nullopt);
@@ -337,26 +337,26 @@ TEST (DetectOnPlaces, LabelsPointsWithinAGivenDistanceAlone)
   const Points points = drawnPoints ({floor_of_room}, 2_cm, 1_cm);
   OpsParameters parameters = neighborhoodParameters();
   parameters.distance_threshold = 1_cm;
-  const LabelledPlanes found = detectIn (points, parameters);
+  const LabeledPlanes found = detectIn (points, parameters);
   ASSERT_EQ (found.planes.fits.size(), 1u);
   EXPECT_EQ (found.used.distance_threshold, 1_cm);
-  std::size_t labelled = 0;
+  std::size_t labeled = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (found.labels[i] != no_plane) {
-      ++labelled;
+      ++labeled;
       EXPECT_LT (std::abs (points.z[i]), 1.05e-2)
           << "1 cm and half a millimeter of tilt";
     }
   // The threshold is the standard deviation of the noise.
   constexpr double normal_share_within_one_deviation = 0.68;
-  EXPECT_NEAR (static_cast<double> (labelled) / points.size(),
+  EXPECT_NEAR (static_cast<double> (labeled) / points.size(),
                normal_share_within_one_deviation,
                0.03);
 }
 
 TEST (DetectOnPlaces, CountsEachPointOnce)
 {
-  const LabelledPlanes found = detectIn (smallRoom());
+  const LabeledPlanes found = detectIn (smallRoom());
   ASSERT_GE (found.planes.fits.size(), 3u);
   for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
     EXPECT_EQ (found.planes.moments[p].count,
@@ -371,7 +371,7 @@ TEST (DetectOnPlaces, LabelsEqualPointsAlike)
   Indices with_copies = upTo (points.size());
   for (std::uint32_t i = 0; i < points.size(); i += 2)
     with_copies.push_back (i);
-  const LabelledPlanes found = detectIn (inOrder (points, with_copies));
+  const LabeledPlanes found = detectIn (inOrder (points, with_copies));
   EXPECT_EQ (found.planes.fits.size(), 3u);
   for (std::size_t i = points.size(); i < with_copies.size(); ++i)
     ASSERT_EQ (found.labels[i], found.labels[with_copies[i]]);
@@ -387,7 +387,7 @@ TEST (DetectOnPlaces, IsNotDisturbedByMissingReadingsAtZero)
     z -= 1.5f;
   for (std::size_t i = 0; i < room_end / 50; ++i)
     points.add (0.0f, 0.0f, 0.0f);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 3u);
   expectEachHasItsPlane (
       found,
@@ -407,7 +407,7 @@ TEST (DetectOnPlaces, FindsNothingWhereThereIsNoSurface)
     few.add (static_cast<float> (number), static_cast<float> (number * number), 0.0f);
   }
   for (const Points& points : {line, equal}) {
-    const LabelledPlanes found = detectIn (points);
+    const LabeledPlanes found = detectIn (points);
     EXPECT_EQ (found.planes.fits.size(), 0u);
     EXPECT_EQ (found.labels, pcl_ops::Labels (points.size(), no_plane));
     EXPECT_EQ (found.used.distance_threshold, std::nullopt);
@@ -419,7 +419,7 @@ TEST (DetectOnPlaces, FindsASurfaceThatIsFarDenserInAPlace)
   // At one corner 100 times as many points per area, as where an instrument stood.
   Points points = drawnPoints ({floor_of_room}, 3_cm, 3_mm);
   addDrawn (points, {{0, 0, 0}, {0.6, 0, 0}, {0, 0.6, 0}}, 3_mm, 3_mm);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 1u);
   expectEachHasItsPlane (found, {points.size()}, 0.97);
 }
@@ -432,7 +432,7 @@ TEST (DetectOnPlaces, PartsTheSidesOfAWallThatNeighborhoodsMix)
       {{{0, 0, 0.01}, {2, 0, 0}, {0, 2, 0}}, {{0, 0, 0.04}, {2, 0, 0}, {0, 2, 0}}},
       3_cm,
       1_mm);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   expectEachHasItsPlane (found, {points.size() / 2, points.size()}, 0.95);
   EXPECT_EQ (found.planes.fits.size(), 2u);
 }
@@ -463,9 +463,9 @@ TEST (DetectOnPlaces, FindsTheSameWhereTheCloudIsMoved)
     moved.y[i] += 0.613f;
     moved.z[i] += 0.829f;
   }
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   ASSERT_GE (found.planes.fits.size(), 3u);
-  const LabelledPlanes again = detectIn (moved);
+  const LabeledPlanes again = detectIn (moved);
   std::size_t same_label = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     same_label += found.labels[i] == again.labels[i];
@@ -479,9 +479,9 @@ TEST (DetectOnPlaces, FindsNearlyTheSameWithoutSomeOfThePoints)
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if (i % 100 != 7)
       kept.push_back (i);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   ASSERT_GE (found.planes.fits.size(), 3u);
-  const LabelledPlanes again = detectIn (inOrder (points, kept));
+  const LabeledPlanes again = detectIn (inOrder (points, kept));
   std::size_t same_label = 0;
   for (std::size_t i = 0; i < kept.size(); ++i)
     same_label += found.labels[kept[i]] == again.labels[i];
@@ -499,7 +499,7 @@ TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
   };
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] += static_cast<float> (2_cm * wave (points.x[i]) * wave (points.y[i]));
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 1u);
   expectEachHasItsPlane (found, {points.size()}, 0.9);
 }
@@ -524,7 +524,7 @@ TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
     return points;
   };
   for (const bool is_turned : {false, true}) {
-    const LabelledPlanes found = detectIn (wallOnLevels (is_turned));
+    const LabeledPlanes found = detectIn (wallOnLevels (is_turned));
     EXPECT_EQ (found.planes.fits.size(), 1u) << is_turned;
     expectEachHasItsPlane (found, {wallOnLevels (is_turned).size()}, 0.9);
   }
@@ -539,7 +539,7 @@ TEST (DetectOnPlaces, FindsPlanesAsThinAsTheNoiseOnAHill)
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] += static_cast<float> (2.5 * std::sin (points.x[i] / 60.0) *
                                        std::cos (points.y[i] / 80.0));
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   EXPECT_GT (found.planes.fits.size(), 2u);
   // No plane may be thicker than 12 noises; these stay below.
   for (const pcl_ops::PlaneFit& fit : found.planes.fits)
@@ -564,7 +564,7 @@ TEST (DetectOnPlaces, FindsTheSameWhereAWholeIsGivenItsOwnNoise)
   OpsParameters parameters = neighborhoodParameters();
   constexpr std::size_t points_are_the_whole = 0;
   parameters.noise_of_whole = noiseOfCloud (points, parameters, points_are_the_whole);
-  const LabelledPlanes found = detectIn (points);
+  const LabeledPlanes found = detectIn (points);
   ASSERT_GE (found.planes.fits.size(), 3u);
   EXPECT_EQ (detectIn (points, parameters).labels, found.labels);
 }

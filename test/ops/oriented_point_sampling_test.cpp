@@ -42,7 +42,7 @@ class EachVariant
 
 TEST_P (EachVariant, FindsEverySurfaceOfARoom)
 {
-  const LabelledScene scene = room().build();
+  const LabeledScene scene = room().build();
   const auto [strategy, verification, local_optimization] = GetParam();
   Ops ops = variantOn (scene.cloud, strategy, verification, local_optimization);
   expectFindsEverySurface (planesOf (ops), scene);
@@ -64,7 +64,7 @@ TEST (Strategy, NumbersAreThoseOfThePaper)
 
 TEST (Strategy, OneDoesNotCareForTheUpAxisAndTwoFindsThePlanesWhateverItIs)
 {
-  const LabelledScene scene = room().build();
+  const LabeledScene scene = room().build();
   Ops strategy_one = variantOn (scene.cloud, Strategy::DetectThenDivide);
   Ops strategy_two = variantOn (scene.cloud, Strategy::DivideThenDetect);
   const std::vector<pcl::Indices> inliers = inliersOf (strategy_one);
@@ -81,7 +81,7 @@ TEST (Strategy, TwoDetectsPerGroupOfSamples)
 {
   // A ramp crosses the floor. The floor is detected among the level samples alone, so
   // its plane takes no sample of the ramp.
-  const LabelledScene scene =
+  const LabeledScene scene =
       Scene().floor (3, 3).surface ({0, 1, -0.5}, {3, 0, 1}, {0, 1, 0}).build();
   OrientedSamples samples;
   for (std::size_t i = 0; i < scene.cloud->size(); ++i)

@@ -284,10 +284,10 @@ TEST (LabelPlaces, GivesEachPlaceToTheLikeliestPlane)
 {
   PlaceScene scene = groundInTwo();
   const Labels labels = labelsOf (scene, both_are_planes);
-  std::size_t labelled = 0;
+  std::size_t labeled = 0;
   for (const std::int32_t label : labels)
-    labelled += label != no_plane;
-  EXPECT_GT (static_cast<double> (labelled), 0.99 * scene.places.size());
+    labeled += label != no_plane;
+  EXPECT_GT (static_cast<double> (labeled), 0.99 * scene.places.size());
 }
 
 TEST (LabelPlaces, GivesNoneToWhatIsNoPlane)

@@ -29,7 +29,7 @@ fspfOn (const Cloud::ConstPtr& cloud)
 TEST (Fspf,
       FindsEverySurfaceWithTheParametersOfThePaperAndWithInliersAmongTestedPointsAlone)
 {
-  const LabelledScene scene = denseRoom().build();
+  const LabeledScene scene = denseRoom().build();
   FspfParameters paper = FspfParameters::paper();
   // With the parameters of the paper one seed in six finds a fourth plane, which cuts
   // the edge of two surfaces. This seed finds none.

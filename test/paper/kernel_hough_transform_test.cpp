@@ -16,7 +16,7 @@ using KhtParameters = KernelHoughTransformParameters;
 
 /** The six faces of a box of 2 m x 3 m x 1.5 m that is parallel to no axis.
  * \param[in] noise standard deviation of the points along their face's normal [m] */
-LabelledScene
+LabeledScene
 turnedBox (double noise = 0.0)
 {
   constexpr double angle = 0.4; // [rad]
@@ -39,7 +39,7 @@ turnedBox (double noise = 0.0)
 }
 
 std::vector<PlaneSegment>
-detectPlanes (const LabelledScene& scene, const KhtParameters& parameters)
+detectPlanes (const LabeledScene& scene, const KhtParameters& parameters)
 {
   Detector kht;
   kht.setInputCloud (scene.cloud);
@@ -51,7 +51,7 @@ detectPlanes (const LabelledScene& scene, const KhtParameters& parameters)
  * \param[in] max_angle, max_distance as in \ref isNear [rad], [m] */
 int
 surfaceOf (const PlaneSegment& plane,
-           const LabelledScene& scene,
+           const LabeledScene& scene,
            double max_angle,
            double max_distance)
 {
@@ -78,7 +78,7 @@ parametersOfPaper (int phi_num, int rho_num)
 
 TEST (KernelHoughTransform, FindsTheSixFacesOfABoxAtBinCentersAsInThePaper)
 {
-  const LabelledScene scene = turnedBox();
+  const LabeledScene scene = turnedBox();
   for (const auto& [phi_num, rho_num] : {std::pair (30, 300), {80, 800}}) {
     const BallDirections directions (phi_num);
     const double max_angle = pi / phi_num; // a step of the accumulator
@@ -105,7 +105,7 @@ TEST (KernelHoughTransform, FindsTheSixFacesOfABoxAtBinCentersAsInThePaper)
 
 TEST (KernelHoughTransform, FindsEachFaceOfANoisyBoxOnceWithNearlyAllOfItsPoints)
 {
-  const LabelledScene scene = turnedBox (5_mm);
+  const LabeledScene scene = turnedBox (5_mm);
   std::multiset<int> faces;
   std::size_t points_on_their_face = 0;
   for (const PlaneSegment& plane : detectPlanes (scene, KhtParameters())) {
@@ -120,7 +120,7 @@ TEST (KernelHoughTransform, FindsEachFaceOfANoisyBoxOnceWithNearlyAllOfItsPoints
 
 TEST (KernelHoughTransform, CountsPlanesBeforeMerging)
 {
-  const LabelledScene scene = turnedBox();
+  const LabeledScene scene = turnedBox();
   for (const KhtParameters& parameters :
        {KhtParameters(), parametersOfPaper (30, 300)}) {
     KhtParameters with_merging = parameters;
@@ -139,12 +139,12 @@ TEST (KernelHoughTransform, CountsPlanesBeforeMerging)
 TEST (KernelHoughTransform, LeavesOutAPointOfThePlaneThatIsFarFromItsClusters)
 {
   // A table and a shelf at the same height, 3 m apart, with a single point in between.
-  LabelledScene scene = Scene()
-                            .surface ({0, 0, 1}, {1, 0, 0}, {0, 1, 0})
-                            .surface ({4, 0, 1}, {1, 0, 0}, {0, 1, 0})
-                            .floor (5_m, 2_m)
-                            .spacing (1_cm)
-                            .build();
+  LabeledScene scene = Scene()
+                           .surface ({0, 0, 1}, {1, 0, 0}, {0, 1, 0})
+                           .surface ({4, 0, 1}, {1, 0, 0}, {0, 1, 0})
+                           .floor (5_m, 2_m)
+                           .spacing (1_cm)
+                           .build();
   scene.cloud->push_back ({2.5f, 0.5f, 1.0f});
   const auto point_between = static_cast<pcl::index_t> (scene.cloud->size() - 1);
   const std::vector<PlaneSegment> planes = detectPlanes (scene, KhtParameters());
@@ -155,7 +155,7 @@ TEST (KernelHoughTransform, LeavesOutAPointOfThePlaneThatIsFarFromItsClusters)
 
 TEST (KernelHoughTransform, GrowsAPlaneOverSparsePointsThatAreInNoCluster)
 {
-  LabelledScene scene = Scene().floor (2_m, 2_m).spacing (1_cm).noise (2_mm).build();
+  LabeledScene scene = Scene().floor (2_m, 2_m).spacing (1_cm).noise (2_mm).build();
   Scene sparse_continuation = Scene().surface ({2, 0, 0}, {1, 0, 0}, {0, 2, 0});
   *scene.cloud += *sparse_continuation.spacing (2_cm).noise (2_mm).build().cloud;
   KhtParameters parameters;

@@ -13,7 +13,7 @@ namespace {
  * \param[in] normal_noise standard deviation of the error of each component of a unit
  * normal */
 OrientedSamples
-samplesOf (const LabelledScene& scene, double normal_noise = 0.0)
+samplesOf (const LabeledScene& scene, double normal_noise = 0.0)
 {
   RandomGenerator generator (seedOfTest());
   OrientedSamples samples;

@@ -13,7 +13,7 @@ namespace {
 /** \brief The planes of a scene as a perfect detector returns them, in the order of the
  * surfaces. */
 std::vector<PlaneSegment>
-planesOf (const LabelledScene& scene)
+planesOf (const LabeledScene& scene)
 {
   std::vector<pcl::Indices> inliers (scene.surfaces.size());
   for (std::size_t i = 0; i < scene.labels.size(); ++i)
@@ -28,17 +28,17 @@ planesOf (const LabelledScene& scene)
 
 /** \brief The edges between the planes of a scene. */
 PlaneEdges
-edgesOf (const LabelledScene& scene, const PlaneEdgeParameters& parameters = {})
+edgesOf (const LabeledScene& scene, const PlaneEdgeParameters& parameters = {})
 {
   return findPlaneEdges (*scene.cloud, planesOf (scene), parameters);
 }
 
 /** \brief Builds a scene whose last surface is a part of an earlier plane: its points
  * get the label of that plane. */
-LabelledScene
+LabeledScene
 withLastSurfaceOnPlane (int plane, Scene scene)
 {
-  LabelledScene built = scene.build();
+  LabeledScene built = scene.build();
   const int last_surface = static_cast<int> (built.surfaces.size()) - 1;
   std::replace (built.labels.begin(), built.labels.end(), last_surface, plane);
   built.surfaces.pop_back();
@@ -161,7 +161,7 @@ TEST (PlaneEdges, AreTwoWhereADoorOpens)
   // A wall with a door from x = 1 m to 2 m; both of its parts are plane 1.
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 1}, {1, 1}, 2.5_m).wall ({2, 1}, {4, 1}, 2.5_m);
-  const LabelledScene built = withLastSurfaceOnPlane (1, scene);
+  const LabeledScene built = withLastSurfaceOnPlane (1, scene);
   const PlaneEdges found = edgesOf (built);
   ASSERT_EQ (found.edges.size(), 2u);
   const bool is_left_first = found.edges[0].from.x() < found.edges[1].from.x();
@@ -194,7 +194,7 @@ TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
   scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // this upper part
-  const LabelledScene built = withLastSurfaceOnPlane (2, scene);
+  const LabeledScene built = withLastSurfaceOnPlane (2, scene);
   std::vector<PlaneSegment> planes = planesOf (built);
   for (int order = 0; order < 3; ++order) {
     const PlaneEdges found = findPlaneEdges (*built.cloud, planes);
@@ -250,7 +250,7 @@ TEST (PlaneEdges, AreAsManyAsPlanesMeet)
 
 TEST (PlaneEdges, AreExactAThousandKilometersFromZero)
 {
-  const LabelledScene built = corner().build();
+  const LabeledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);
   const Vector3d shift (4.5e5, 5.4e6, 1e3);
   for (PlaneSegment& plane : planes)
@@ -263,7 +263,7 @@ TEST (PlaneEdges, AreExactAThousandKilometersFromZero)
 
 TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
 {
-  const LabelledScene built = corner().noise (1_cm).build();
+  const LabeledScene built = corner().noise (1_cm).build();
   std::vector<PlaneSegment> planes = planesOf (built);
   const auto endsOf = [&] {
     std::vector<Vector3d> ends;
@@ -283,7 +283,7 @@ TEST (PlaneEdges, OfNothingOrAPlaneThatIsNotFiniteAreNone)
   const pcl::PointCloud<pcl::PointXYZ> empty;
   EXPECT_TRUE (findPlaneEdges (empty, {}).edges.empty());
   EXPECT_TRUE (findPlaneEdges (empty, std::vector<PlaneSegment> (3)).edges.empty());
-  const LabelledScene built = corner().build();
+  const LabeledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);
   planes[1].normal.setConstant (NAN);
   EXPECT_EQ (findPlaneEdges (*built.cloud, planes).edges.size(), 1u);
@@ -293,7 +293,7 @@ TEST (PlaneEdges, OfNothingOrAPlaneThatIsNotFiniteAreNone)
 
 TEST (PlaneEdges, OfWrongParametersOrAnotherCloudAreRefused)
 {
-  const LabelledScene built = corner().build();
+  const LabeledScene built = corner().build();
   PlaneEdgeParameters wrong;
   wrong.reach = -1.0;
   EXPECT_THROW (edgesOf (built, wrong), std::invalid_argument);

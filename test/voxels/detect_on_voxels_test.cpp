@@ -35,7 +35,7 @@ parametersOf10cm (int resolutions = Parameters().surfels.resolutions)
   return parameters;
 }
 
-LabelledPlanes
+LabeledPlanes
 detect (const Points& points, const Parameters& parameters = parametersOf10cm())
 {
   pcl_ops::StageDurations durations;
@@ -43,7 +43,7 @@ detect (const Points& points, const Parameters& parameters = parametersOf10cm())
 }
 
 std::size_t
-pointCountOn (std::int32_t plane, const LabelledPlanes& found)
+pointCountOn (std::int32_t plane, const LabeledPlanes& found)
 {
   return static_cast<std::size_t> (
       std::count (found.labels.begin(), found.labels.end(), plane));
@@ -54,7 +54,7 @@ pointCountOn (std::int32_t plane, const LabelledPlanes& found)
 TEST (DetectOnVoxels, MakesOnePlaneOfTwoThatAGapDividesAndFindsANarrowBoard)
 {
   const Surface beyond_gap = {{3, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
-  const LabelledPlanes found = detect (pointsOf ({ground, beyond_gap, board}));
+  const LabeledPlanes found = detect (pointsOf ({ground, beyond_gap, board}));
   EXPECT_EQ (found.planes_before_merging, 3u);
   EXPECT_EQ (found.planes.fits.size(), 2u);
   EXPECT_EQ (pointCountOn (0, found), 2 * points_of_surface)
@@ -67,14 +67,14 @@ TEST (DetectOnVoxels, SaysTheVoxelSizeAndTheDistanceThatItUsed)
 {
   // Offsets drawn uniformly up to 2 cm have an rms of 2 cm / sqrt (3) = 1.15 cm. By
   // default a point may be five times that from its plane (assignment_noise_factor).
-  const LabelledPlanes noisy = detect (pointsOf ({ground}, 2_cm));
+  const LabeledPlanes noisy = detect (pointsOf ({ground}, 2_cm));
   EXPECT_EQ (noisy.used.voxel_size, parametersOf10cm().surfels.voxel_size);
   ASSERT_TRUE (noisy.used.distance_threshold);
   EXPECT_NEAR (*noisy.used.distance_threshold, 5 * 0.0115, 1_cm);
   Parameters threshold_alone = parametersOf10cm();
   threshold_alone.surfels.voxel_size.reset();
   threshold_alone.distance_threshold = 1_cm;
-  const LabelledPlanes limited = detect (pointsOf ({ground}, 2_cm), threshold_alone);
+  const LabeledPlanes limited = detect (pointsOf ({ground}, 2_cm), threshold_alone);
   EXPECT_GT (limited.used.voxel_size.value_or (0), 1_cm) << "chosen by the detector";
   EXPECT_NEAR (*limited.used.distance_threshold, 1_cm, 1e-6);
   EXPECT_EQ (detect (Points()).used.distance_threshold, std::nullopt);
@@ -96,7 +96,7 @@ TEST (DetectOnVoxels, CountsEachPointOnce)
   // The board stands on the ground. Around it planes are searched in voxels of 10 cm
   // and of 5 cm.
   const Surface upright_board = {{0, 1.05, 0.1}, {1.5, 0, 0}, {0, 0, 0.1}};
-  const LabelledPlanes found = detect (pointsOf ({ground, upright_board}));
+  const LabeledPlanes found = detect (pointsOf ({ground, upright_board}));
   ASSERT_EQ (found.planes.fits.size(), 2u);
   for (const std::int32_t plane : {0, 1})
     EXPECT_EQ (found.planes.moments[static_cast<std::size_t> (plane)].count,
@@ -147,7 +147,7 @@ TEST (DetectOnVoxels, GrowsOverPointsTooFewForANormal)
       points.add (1.55f + 0.1f * static_cast<float> (x),
                   0.05f + 0.1f * static_cast<float> (y),
                   0.05f);
-  const LabelledPlanes found = detect (points, parametersOf10cm (one_resolution));
+  const LabeledPlanes found = detect (points, parametersOf10cm (one_resolution));
   EXPECT_EQ (found.planes_before_merging, 2u);
   EXPECT_EQ (found.planes.fits.size(), 1u);
   EXPECT_EQ (pointCountOn (0, found), points.size());

@@ -15,7 +15,7 @@ namespace {
 
 /** \brief Points on surfaces, with the planes that a detector would find. The points of
  * a surface are drawn uniformly and moved along its normal by Gaussian noise. */
-struct LabelledPlaneScene {
+struct LabeledPlaneScene {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   std::vector<PlaneSegment> planes;
   RandomGenerator generator = RandomGenerator (seedOfTest());
@@ -23,7 +23,7 @@ struct LabelledPlaneScene {
   /** \brief Adds a plane, with points on a surface.
    * \param[in] points their number
    * \param[in] noise standard deviation along the normal, and noise of the plane [m] */
-  LabelledPlaneScene&
+  LabeledPlaneScene&
   add (const Surface& surface, std::size_t points, double noise)
   {
     planes.push_back (addPointsOf (surface, points, noise));
@@ -31,7 +31,7 @@ struct LabelledPlaneScene {
   }
 
   /** \brief Adds points on a surface, but no plane of them. */
-  LabelledPlaneScene&
+  LabeledPlaneScene&
   addUnassigned (const Surface& surface, std::size_t points, double noise)
   {
     addPointsOf (surface, points, noise);
@@ -94,10 +94,10 @@ const Surface floor_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
 const Surface wall_of_room = {{0, 3, 0}, {4, 0, 0}, {0, 0, 2.5}};
 
 /** \brief Points on the floor and the wall, all on their planes. */
-LabelledPlaneScene
+LabeledPlaneScene
 roomOfTwoPlanes ()
 {
-  return LabelledPlaneScene()
+  return LabeledPlaneScene()
       .add (floor_of_room, 3000, 2_mm)
       .add (wall_of_room, 2500, 2_mm);
 }
@@ -112,10 +112,10 @@ squareOf100m (double x = 0.0)
 /** \brief A hill of 100 m x 100 m, all of it on one plane.
  * \param[in] rms distance of the points to the plane [m]
  * \param[in] noise of the points around the plane [m] */
-LabelledPlaneScene
+LabeledPlaneScene
 hillOf (std::size_t points, double rms, double noise)
 {
-  LabelledPlaneScene hill;
+  LabeledPlaneScene hill;
   hill.add (squareOf100m(), points, rms);
   hill.planes[0].noise = noise;
   return hill;
@@ -124,10 +124,10 @@ hillOf (std::size_t points, double rms, double noise)
 /** \brief Three exact planes of 2 m x 2 m, 3 cm one behind another, as levels of a
  * quantized depth.
  * \param[in] points of each level */
-LabelledPlaneScene
+LabeledPlaneScene
 threeLevels (std::size_t points)
 {
-  LabelledPlaneScene levels;
+  LabeledPlaneScene levels;
   for (const double depth : {3.0, 3.03, 3.06})
     levels.add ({{0, 0, depth}, {2, 0, 0}, {0, 2, 0}}, points, 0.0);
   return levels;
@@ -136,7 +136,7 @@ threeLevels (std::size_t points)
 /** \brief 6000 points of a tree, on no plane: ten tilted squares of 1 m x 1 m, 20 cm
  * above each other, whose points scatter by as much. */
 void
-addTree (LabelledPlaneScene& scene)
+addTree (LabeledPlaneScene& scene)
 {
   for (int i = 0; i < 10; ++i)
     scene.addUnassigned ({{1, 1, 0.2 * i}, {1, 0.1, 0}, {-0.1, 1, 0}}, 600, 20_cm);
@@ -152,7 +152,7 @@ TEST (ResultWarnings, AreNoneOfAnOrdinaryRoom)
 TEST (ResultWarnings, SayThatCoordinatesOfUtmStepInSinglePrecision)
 {
   const auto codesWithX = [] (double x) {
-    LabelledPlaneScene floor;
+    LabeledPlaneScene floor;
     // Points are 6 cm apart; coordinates may have steps of a quarter of that.
     floor.add ({{x, 0, 0}, {4, 0, 0}, {0, 3, 0}}, 3000, 2_mm);
     floor.cloud[0].x = 0.0f; // a stray point, which must not count
@@ -160,7 +160,7 @@ TEST (ResultWarnings, SayThatCoordinatesOfUtmStepInSinglePrecision)
   };
   EXPECT_EQ (codesWithX (-500000.0), "coarse-coordinates") << "steps of 3 cm";
   EXPECT_EQ (codesWithX (100000.0), "") << "steps of 8 mm";
-  LabelledPlaneScene shifted = roomOfTwoPlanes();
+  LabeledPlaneScene shifted = roomOfTwoPlanes();
   ResultContext context;
   context.shift = {500000.0, 5400000.0, 0.0};
   for (PlaneSegment& plane : shifted.planes)
@@ -171,7 +171,7 @@ TEST (ResultWarnings, SayThatCoordinatesOfUtmStepInSinglePrecision)
 TEST (ResultWarnings, SayNothingOfStepsWherePointsAreOnALineOrAtOnePlace)
 {
   for (const double spacing : {0.0, 1_m}) {
-    LabelledPlaneScene line;
+    LabeledPlaneScene line;
     for (int i = 0; i < 1000; ++i)
       line.cloud.push_back (toPoint ({spacing * i, 0.0, 0.0}));
     EXPECT_FALSE (contains (line.codes(), "coarse-coordinates")) << spacing;
@@ -185,7 +185,7 @@ TEST (ResultWarnings, AreNoneOfNoPoints)
 
 TEST (ResultWarnings, SayThatPlanesAreThickerThanThreeNoises)
 {
-  const LabelledPlaneScene hill = hillOf (3000, 1_m, 6_cm);
+  const LabeledPlaneScene hill = hillOf (3000, 1_m, 6_cm);
   ASSERT_EQ (hill.codes(), "thick-planes");
   const std::string text = hill.firstText();
   // The advised threshold is three times the noise.
@@ -207,7 +207,7 @@ TEST (ResultWarnings, AreNoneOfPlanesAsThickAsThreeNoisesOrAnEighthOfTheirSpacin
 
 TEST (ResultWarnings, TellRmsAndNoiseOfTheLargestThickPlane)
 {
-  LabelledPlaneScene hills;
+  LabeledPlaneScene hills;
   const struct {
     double x;   // where the hill begins [m]
     double rms; // [m]
@@ -225,7 +225,7 @@ TEST (ResultWarnings, TellRmsAndNoiseOfTheLargestThickPlane)
 
 TEST (ResultWarnings, NameParametersAsPythonDoes)
 {
-  const LabelledPlaneScene hill = hillOf (3000, 1_m, 6_cm);
+  const LabeledPlaneScene hill = hillOf (3000, 1_m, 6_cm);
   ResultContext context;
   context.names = ParameterNames::Python;
   ASSERT_EQ (hill.codes (context), "thick-planes");
@@ -235,7 +235,7 @@ TEST (ResultWarnings, NameParametersAsPythonDoes)
 
 TEST (ResultWarnings, SayThatPlanesOfNoRmsLieOneBehindAnother)
 {
-  const LabelledPlaneScene levels = threeLevels (1500);
+  const LabeledPlaneScene levels = threeLevels (1500);
   ASSERT_EQ (levels.codes(), "exact-levels");
   const std::string text = levels.firstText();
   EXPECT_TRUE (contains (text, "3 planes have an rms of 0"));
@@ -250,7 +250,7 @@ TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
 {
   // A shelf of three boards and one side. As the side is not parallel to the boards,
   // they are faces of a model and no levels.
-  EXPECT_EQ (LabelledPlaneScene()
+  EXPECT_EQ (LabeledPlaneScene()
                  .add ({{0, 0, 0.5}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
                  .add ({{0, 0, 0.25}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
                  .add (floor_of_room, 3000, 0.0)
@@ -262,7 +262,7 @@ TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
 TEST (ResultWarnings, AreNoneOfAModelWhoseSidesAreSmall)
 {
   // Plates of 4 m x 3 m with a rim of 0.25 m at one side.
-  LabelledPlaneScene plates;
+  LabeledPlaneScene plates;
   for (const double height : {0.0, 0.25, 0.5})
     plates.add ({{0, 0, height}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0);
   EXPECT_EQ (plates.codes(), "exact-levels") << "without the rim";
@@ -274,7 +274,7 @@ TEST (ResultWarnings, AreNoneOfLevelsWithLessThan5PerCentOfThePointsOnPlanes)
 {
   // The levels have 3600 points: 5.7 % or 4.3 % of those on planes.
   const auto codesWithWall = [] (std::size_t points_of_wall) {
-    LabelledPlaneScene levels = threeLevels (1200);
+    LabeledPlaneScene levels = threeLevels (1200);
     levels.add ({{0, 0, 5}, {4, 0, 0}, {0, 3, 0}}, points_of_wall, 2_mm);
     return levels.codes();
   };
@@ -284,7 +284,7 @@ TEST (ResultWarnings, AreNoneOfLevelsWithLessThan5PerCentOfThePointsOnPlanes)
 
 TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
 {
-  EXPECT_EQ (LabelledPlaneScene()
+  EXPECT_EQ (LabeledPlaneScene()
                  .add ({{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
                  .add ({{0, 0.2, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
                  .codes(),
@@ -294,7 +294,7 @@ TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
 TEST (ResultWarnings, AreNoneOfExactPlanesFartherApartThanATenthOfTheirWidth)
 {
   const auto codesWithStep = [] (double step) {
-    LabelledPlaneScene plates; // 2 m x 2 m each
+    LabeledPlaneScene plates; // 2 m x 2 m each
     for (const int level : {0, 1, 2})
       plates.add ({{0, 0, level * step}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
     return plates.codes();
@@ -307,7 +307,7 @@ TEST (ResultWarnings, AreNoneOfExactPlanesBesideEachOther)
 {
   // Each plate of 2 m x 2 m begins a distance [m] beside the one before, 3 cm above it.
   const auto codesWithDistance = [] (double distance) {
-    LabelledPlaneScene plates;
+    LabeledPlaneScene plates;
     for (const int plate : {0, 1, 2})
       plates.add (
           {{plate * distance, 0, 3_cm * plate}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
@@ -319,7 +319,7 @@ TEST (ResultWarnings, AreNoneOfExactPlanesBesideEachOther)
 
 TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
 {
-  LabelledPlaneScene stairs;
+  LabeledPlaneScene stairs;
   for (const int step : {0, 1, 2})
     stairs.add ({{0, 0.3 * step, 0.17 * step}, {2, 0, 0}, {0, 0.3, 0}}, 1500, 0.0);
   EXPECT_EQ (stairs.codes(), "");
@@ -327,7 +327,7 @@ TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
 
 TEST (ResultWarnings, SayThatLabelsAreMixedPointByPoint)
 {
-  LabelledPlaneScene wall;
+  LabeledPlaneScene wall;
   wall.add (wall_of_room, 2500, 5_mm);
   Surface wall_behind = wall_of_room; // nearer than the noise
   wall_behind.corner.y() += 2_mm;
@@ -340,7 +340,7 @@ TEST (ResultWarnings, SayThatLabelsAreMixedPointByPoint)
 
 TEST (ResultWarnings, AreNoneOfPlanesThatMeet)
 {
-  LabelledPlaneScene room = roomOfTwoPlanes();
+  LabeledPlaneScene room = roomOfTwoPlanes();
   room.add ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 2000, 2_mm);
   EXPECT_EQ (room.codes(), "");
 }
@@ -349,10 +349,10 @@ namespace {
 
 /** \brief A room of which a floor and a wall are on planes, but not a wall 10 cm thick:
  * it has 3,000 points on each of its sides. */
-LabelledPlaneScene
+LabeledPlaneScene
 roomWithThinWall ()
 {
-  LabelledPlaneScene room = roomOfTwoPlanes();
+  LabeledPlaneScene room = roomOfTwoPlanes();
   room.addUnassigned ({{1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm);
   room.addUnassigned ({{1.1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm);
   return room;
@@ -384,7 +384,7 @@ TEST (ResultWarnings, DoNotCallTheObserverOfTheSearch)
 
 TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
 {
-  LabelledPlaneScene room = roomOfTwoPlanes();
+  LabeledPlaneScene room = roomOfTwoPlanes();
   room.addUnassigned ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 5000, 2_mm);
   ResultContext context;
   context.search = OrientedPointSamplingParameters();
@@ -399,7 +399,7 @@ TEST (ResultWarnings, AdviseAnotherValueOnlyIfItPuts20PerCentMoreOnPlanes)
   // Half of 20,000 points are on a floor and a wall, the others on no plane: these are
   // on a second wall, which a smaller min_points finds, and in a bush.
   const auto codesWithWall = [] (std::size_t points_of_wall) {
-    LabelledPlaneScene garden;
+    LabeledPlaneScene garden;
     garden.add (floor_of_room, 6000, 2_mm).add (wall_of_room, 4000, 2_mm);
     garden.addUnassigned ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, points_of_wall, 2_mm);
     garden.addUnassigned (
@@ -415,7 +415,7 @@ TEST (ResultWarnings, AdviseAnotherValueOnlyIfItPuts20PerCentMoreOnPlanes)
 
 TEST (ResultWarnings, AreNoneOfPointsOnNoPlaneThatNoValuePutsOnOne)
 {
-  LabelledPlaneScene room = roomOfTwoPlanes();
+  LabeledPlaneScene room = roomOfTwoPlanes();
   addTree (room);
   ResultContext context;
   context.search = OrientedPointSamplingParameters();
@@ -424,7 +424,7 @@ TEST (ResultWarnings, AreNoneOfPointsOnNoPlaneThatNoValuePutsOnOne)
 
 TEST (ResultWarnings, SayWhichVoxelSizeMakesPlanesOfTilesThinner)
 {
-  const LabelledPlaneScene hill = hillOf (3000, 1_m, 6_cm);
+  const LabeledPlaneScene hill = hillOf (3000, 1_m, 6_cm);
   ResultContext context;
   context.tiles.emplace().voxel_size = 3.0;
   ASSERT_EQ (hill.codes (context), "thick-planes");
@@ -436,7 +436,7 @@ TEST (ResultWarnings, SayWhichVoxelSizeMakesPlanesOfTilesThinner)
 TEST (ResultWarnings, CompareThicknessWithTheSpacingOfTheSurveyNotOfItsSample)
 {
   // Points of the sample are 5.8 m apart, those of the survey 0.58 m.
-  const LabelledPlaneScene hill = hillOf (300, 50_cm, 6_cm);
+  const LabeledPlaneScene hill = hillOf (300, 50_cm, 6_cm);
   ResultContext context;
   context.tiles.emplace();
   EXPECT_EQ (hill.codes (context), "") << "as if the sample were the survey";
@@ -447,10 +447,10 @@ TEST (ResultWarnings, CompareThicknessWithTheSpacingOfTheSurveyNotOfItsSample)
 TEST (ResultWarnings, SayWhichVoxelSizePutsPlacesOfTilesOnPlanes)
 {
   const Surface board = {{0, 5, 0}, {2, 0, 0}, {0, 0, 2}};
-  LabelledPlaneScene room;
+  LabeledPlaneScene room;
   room.add (floor_of_room, 2000, 2_mm).addUnassigned (board, 4000, 2_mm);
-  const LabelledPlaneScene around_board = LabelledPlaneScene().add (board, 4000, 2_mm);
-  LabelledPlaneScene tree;
+  const LabeledPlaneScene around_board = LabeledPlaneScene().add (board, 4000, 2_mm);
+  LabeledPlaneScene tree;
   addTree (tree);
   ResultContext context;
   TiledSearch& tiles = context.tiles.emplace();
@@ -466,7 +466,7 @@ TEST (ResultWarnings, SayWhichVoxelSizePutsPlacesOfTilesOnPlanes)
 
 TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
 {
-  LabelledPlaneScene room;
+  LabeledPlaneScene room;
   room.add ({{0, 0, 0}, {4000, 0, 0}, {0, 3000, 0}}, 3000, 2.0);
   room.add ({{0, 3000, 0}, {4000, 0, 0}, {0, 0, 2500}}, 2500, 2.0);
   ASSERT_EQ (room.codes(), "millimeters");
@@ -481,7 +481,7 @@ TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
 TEST (ResultWarnings, TakeACloudWiderThan1000AlongAllAxesForOneInMillimeters)
 {
   const auto codesWithHeight = [] (double height) {
-    return LabelledPlaneScene()
+    return LabeledPlaneScene()
         .add ({{0, 0, 0}, {4000, 0, 0}, {0, 3000, 0}}, 3000, 2.0)
         .add ({{0, 3000, 0}, {4000, 0, 0}, {0, 0, height}}, 3000, 2.0)
         .codes();
@@ -492,7 +492,7 @@ TEST (ResultWarnings, TakeACloudWiderThan1000AlongAllAxesForOneInMillimeters)
 
 TEST (ResultWarnings, AreNoneOfASurveyOfAKilometer)
 {
-  EXPECT_EQ (LabelledPlaneScene()
+  EXPECT_EQ (LabeledPlaneScene()
                  .add ({{0, 0, 0}, {2000, 0, 0}, {0, 3000, 300}}, 5000, 0.05)
                  .codes(),
              "");
@@ -514,7 +514,7 @@ TEST (ResultWarnings, SayThatAReferenceSystemIsInFeetOrDegrees)
 
 TEST (ResultWarnings, SayThatAWidthOfDegreesHasAHeightOfMeters)
 {
-  const LabelledPlaneScene wall_in_degrees = LabelledPlaneScene().add (
+  const LabeledPlaneScene wall_in_degrees = LabeledPlaneScene().add (
       {{11, 48, 498}, {1e-4, 1e-5, 0}, {0, 0, 2.5}}, 3000, 0.0);
   EXPECT_EQ (wall_in_degrees.codes(), "degrees");
   ResultContext in_meters;
@@ -529,7 +529,7 @@ TEST (ResultWarnings, TakeLessThanADegreeWith200TimesTheHeightForDegrees)
 {
   // A wall with a width in degrees and a height in meters.
   const auto codesOf = [] (double width, double height) {
-    return LabelledPlaneScene()
+    return LabeledPlaneScene()
         .add ({{11, 48, 498}, {width, 0.1 * width, 0}, {0, 0, height}}, 3000, 0.0)
         .codes();
   };
@@ -552,7 +552,7 @@ TEST (ResultWarnings, SayThatACloudWasNotSeenFromItsViewpoint)
 {
   // Four boards, each behind the one before. Seen from the given viewpoint the first
   // would hide the others.
-  LabelledPlaneScene boards;
+  LabeledPlaneScene boards;
   for (const double depth : {1.0, 2.0, 3.0, 4.0})
     boards.add ({{-1, depth, 0}, {2, 0, 0}, {0, 0, 2}}, 4000, 2_mm);
   ResultContext context;
@@ -569,7 +569,7 @@ TEST (ResultWarnings, SayThatACloudWasNotSeenFromItsViewpoint)
 TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
 {
   // In the frame of a camera: y points down, z ahead.
-  LabelledPlaneScene seen;
+  LabeledPlaneScene seen;
   seen.add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 3000, 2_mm);
   seen.add ({{-2, 1, 4}, {4, 0, 0}, {0, -2.5, 0}}, 3000, 2_mm);
   ResultContext context;
@@ -582,7 +582,7 @@ TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
       contains (text, "0,0,1 is ahead in a cloud that looks like a depth camera's"));
   EXPECT_TRUE (contains (text, "; give --up auto or --up x,y,z"));
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "") << "z is up";
-  LabelledPlaneScene roof;
+  LabeledPlaneScene roof;
   roof.add ({{50, 50, 20}, {8, 0, 0}, {0, 4, 3}}, 1000, 2_cm);
   EXPECT_EQ (roof.codes (context), "") << "no floor, but no camera either";
   context.suggested_up = Eigen::Vector3d (0, -1, 0); // by the planes
@@ -601,7 +601,7 @@ TEST (ResultWarnings, TakeTheLowestLevelOf3PerCentOfThePointsForAFloor)
   context.up_knowledge = UpKnowledge::Assumed;
   context.uses_kinds = true;
   const auto codesWithLevel = [&] (std::size_t points_of_level) {
-    return LabelledPlaneScene()
+    return LabeledPlaneScene()
         .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
         .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, points_of_level, 2_mm)
         .codes (context);
@@ -617,7 +617,7 @@ TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
   context.up_knowledge = UpKnowledge::Assumed;
   context.uses_kinds = true;
   const auto codesWithPointsBelow = [&] (std::size_t points_below) {
-    return LabelledPlaneScene()
+    return LabeledPlaneScene()
         .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
         .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, 500, 2_mm)
         .addUnassigned (
@@ -631,8 +631,7 @@ TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
 {
   // "CODE: TEXT" of the first warning; empty without a warning.
-  const auto warningOf = [] (const PlanCounts& counts,
-                             const LabelledPlaneScene& scene) {
+  const auto warningOf = [] (const PlanCounts& counts, const LabeledPlaneScene& scene) {
     ResultContext context;
     context.plan = counts;
     const std::vector<ResultWarning> warnings = scene.warnings (context);
@@ -659,7 +658,7 @@ TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
       "empty-plan: the floor plan has 0 walls: none of the planes that are walls "
       "(12) is where it is cut; give another --plan-height");
   EXPECT_EQ (warningOf ({3, 12, 12, true}, roomOfTwoPlanes()), "");
-  LabelledPlaneScene wall_in_millimeters;
+  LabeledPlaneScene wall_in_millimeters;
   wall_in_millimeters.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 2.0);
   EXPECT_NE (
       warningOf ({0, 0, 0, true}, wall_in_millimeters).find ("looks like millimeters"),
@@ -668,7 +667,7 @@ TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
 
 TEST (ResultWarnings, AreTheThreeMostImportant)
 {
-  LabelledPlaneScene wall;
+  LabeledPlaneScene wall;
   wall.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 200.0);
   wall.planes[0].noise = 2.0;
   ResultContext context;
@@ -682,9 +681,9 @@ TEST (ResultWarnings, AreTheThreeMostImportant)
 
 TEST (ResultWarnings, DoNotDependOnTheOrderOfThePoints)
 {
-  LabelledPlaneScene wall;
+  LabeledPlaneScene wall;
   wall.add (wall_of_room, 2500, 5_mm).add (wall_of_room, 2500, 5_mm);
-  LabelledPlaneScene reversed = wall;
+  LabeledPlaneScene reversed = wall;
   std::reverse (reversed.cloud.begin(), reversed.cloud.end());
   for (PlaneSegment& plane : reversed.planes) {
     for (pcl::index_t& index : plane.inliers)
@@ -697,7 +696,7 @@ TEST (ResultWarnings, DoNotDependOnTheOrderOfThePoints)
 
 TEST (ResultWarnings, RefuseInliersOfAnotherCloud)
 {
-  LabelledPlaneScene room = roomOfTwoPlanes();
+  LabeledPlaneScene room = roomOfTwoPlanes();
   room.planes[0].inliers.back() = 1'000'000; // the cloud has 5,500 points
   EXPECT_THROW (room.warnings(), std::invalid_argument);
 }

@@ -17,7 +17,7 @@ class LasFileTest : public CloudFolder {
 protected:
   /** \brief The bytes of the file that adding these labels to a LAS gives. */
   std::string
-  labelled (const std::string& las, const std::vector<std::uint32_t>& labels) const
+  labeled (const std::string& las, const std::vector<std::uint32_t>& labels) const
   {
     saveLabeledLas (folder_ / "labelled.las", *load ("a.las", las).las, labels);
     return contentOf (folder_ / "labelled.las");
@@ -83,7 +83,7 @@ TEST_F (LasFileTest, TellsThePositionOfAnyPointInAnyOrder)
     expectPosition (i);
 }
 
-TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
+TEST_F (LasFileTest, IsLabeledWithEveryOtherByteKept)
 {
   constexpr std::uint32_t added = vlr_header_length + extra_bytes_field_length;
   for (std::uint8_t minor = 0; minor <= 4; ++minor) {
@@ -105,7 +105,7 @@ TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
       headerIn (expected).evlr_offset = expected.size() + added;
       expected += recipe.evlrs[0];
     }
-    std::string after = labelled (lasBytes (recipe), {70000, 0});
+    std::string after = labeled (lasBytes (recipe), {70000, 0});
     after.erase (points - recipe.gap.size(), added);
     EXPECT_TRUE (after == expected);
   }
@@ -122,7 +122,7 @@ TEST_F (LasFileTest, OfVersion10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
   headerIn (las).points_offset = headerIn (las).header_size;
   EXPECT_EQ (textOf (load ("a.las", las)), expected)
       << "where the offset is that of the mark, not of the points";
-  std::string after = labelled (las, {5, 6});
+  std::string after = labeled (las, {5, 6});
   EXPECT_EQ (after.substr (headerIn (after).points_offset),
              recordsWithLabels (recipe, 5, 6));
   const std::string record = after.substr (headerIn (after).header_size);
@@ -141,7 +141,7 @@ TEST_F (LasFileTest, MovesTheWaveformsBehindThePoints)
 {
   std::string las = lasBytes (LasRecipe{3, 4});
   headerIn (las).waveform_offset = las.size();
-  std::string after = labelled (las + "waveforms", {1, 2});
+  std::string after = labeled (las + "waveforms", {1, 2});
   EXPECT_EQ (after.substr (headerIn (after).waveform_offset), "waveforms");
 }
 
@@ -151,7 +151,7 @@ TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
   recipe.extra = {"ab123", "cd456"};
   recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
                  lasVlr ("someone", 7, "content")};
-  std::string after = labelled (lasBytes (recipe), {5, 6});
+  std::string after = labeled (lasBytes (recipe), {5, 6});
   constexpr std::size_t vlr = 375; // its offset, behind the header of LAS 1.4
   constexpr std::size_t fields = vlr + vlr_header_length;
   constexpr std::size_t field = extra_bytes_field_length;
@@ -170,9 +170,9 @@ TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
 
 TEST_F (LasFileTest, ReadsAndReplacesTheLabelsItWrote)
 {
-  const std::string first = labelled (lasBytes ({}), {70000, 3});
+  const std::string first = labeled (lasBytes ({}), {70000, 3});
   EXPECT_TRUE (contains (textOf (load ("a.las", first)), "; label 70000 3"));
-  EXPECT_TRUE (labelled (first, {3, 4}) == labelled (lasBytes ({}), {3, 4}));
+  EXPECT_TRUE (labeled (first, {3, 4}) == labeled (lasBytes ({}), {3, 4}));
 }
 
 TEST_F (LasFileTest, SaysThatItHasNoRoomForLabels)
@@ -248,7 +248,7 @@ TEST_F (LasFileTest, ReadsAndReplacesALabelThatIsDescribedBehindItsPoints)
   EXPECT_TRUE (contains (textOf (cloud), "; label 1 2"));
   EXPECT_EQ (cloud.las->validate ({label_field}), "");
   EXPECT_TRUE (
-      contains (textOf (load ("b.las", labelled (lasBytes (recipe), {70000, 3}))),
+      contains (textOf (load ("b.las", labeled (lasBytes (recipe), {70000, 3}))),
                 "; label 70000 3"));
 }
 

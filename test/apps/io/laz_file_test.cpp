@@ -142,7 +142,7 @@ TEST_F (LazFileTest, IsSmallerThanTheLasOfManyPoints)
   EXPECT_TRUE (decompressed (laz) == las);
 }
 
-TEST_F (LazFileTest, IsLabelledAsTheLasIs)
+TEST_F (LazFileTest, IsLabeledAsTheLasIs)
 {
   const LasRecipe recipe = recipeWithAll (4, 6);
   saveLabeledLas (folder_ / "a.las", *loadCloud (write (recipe)).las, {1, 2});

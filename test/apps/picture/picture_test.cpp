@@ -337,7 +337,7 @@ statusBytes (const std::string& name)
 
 } // namespace
 
-TEST (LabelledCloud, IsSavedWithLessMemoryThanACopyNeeds)
+TEST (LabeledCloud, IsSavedWithLessMemoryThanACopyNeeds)
 {
 #ifdef PCL_OPS_SANITIZED
   GTEST_SKIP() << "sanitizers keep what is freed";
@@ -360,7 +360,7 @@ TEST (LabelledCloud, IsSavedWithLessMemoryThanACopyNeeds)
     const std::size_t before = statusBytes ("VmRSS");
     const bool is_memory_told = reset && before > 0;
     constexpr bool keeps_color = false;
-    saveLabelledCloud (folder / name, cloud, labels, distances, keeps_color);
+    saveLabeledCloud (folder / name, cloud, labels, distances, keeps_color);
     if (is_memory_told) {
       EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
     }

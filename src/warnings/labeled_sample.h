@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
 
 /** \brief A sample of the finite points of a cloud, with the plane of each point. The
  * same points are sampled in whatever order the cloud has them. */
-struct LabelledSample {
+struct LabeledSample {
   /** \brief The sampled points, relative to \ref origin [m]. */
   Coordinates points;
   /** \brief For each sampled point the position of its plane in the list of planes, or
@@ -48,7 +48,7 @@ struct LabelledSample {
  * an inlier.
  * \param[in] shift zero of the cloud's frame, in the frame of the planes [m]
  * \throw std::invalid_argument if an inlier is no point of the cloud */
-LabelledSample
+LabeledSample
 sampleWithLabels (const CloudView& cloud,
                   const std::vector<PlaneSegment>& planes,
                   const Eigen::Vector3d& shift);

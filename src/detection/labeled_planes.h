@@ -15,7 +15,7 @@
 namespace pcl_ops::internal {
 
 /** \brief Planes that a detector found, in the local frame of its points. */
-struct LabelledPlanes {
+struct LabeledPlanes {
   /** \brief For each point the index of its plane in \ref planes, or no_plane. */
   Labels labels;
   MergedPlanes planes;
@@ -44,7 +44,7 @@ mergingOf (const PlaneDetectorParameters& parameters)
 
 /** \brief Fits least squares planes to the assigned points, merges coplanar planes and
  * relabels the points by merged plane. */
-LabelledPlanes
+LabeledPlanes
 mergePlanesOf (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads);
@@ -53,14 +53,14 @@ mergePlanesOf (AssignedPoints assigned,
  * planes again by descending number of points. Plane equations do not change: equal
  * points count once in them. */
 void
-addCopies (const Points& points, LabelledPlanes& found);
+addCopies (const Points& points, LabeledPlanes& found);
 
 /** \brief Returns the planes in the frame of the input cloud, in the same order, with
  * normals towards the viewpoint.
  * \param[in] viewpoint in the frame of the input cloud */
 std::vector<PlaneSegment>
 toSegments (const Points& points,
-            const LabelledPlanes& found,
+            const LabeledPlanes& found,
             const Eigen::Vector3d& viewpoint);
 
 /** \brief Drops planes with fewer inliers than \p min_points. */
@@ -72,7 +72,7 @@ dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
  * (\ref distinctPoints). After: makes segments in the frame of the input cloud, drops
  * small ones, names orientations, and turns normals of unseen planes up.
  * \param[in] detect the detector, called as (points, durations), returns
- * LabelledPlanes; not called without finite points
+ * LabeledPlanes; not called without finite points
  * \param[in] step the local origin is a multiple of it [m]; 0: \ref finitePoints
  * chooses one */
 template <typename Detect>
@@ -88,8 +88,8 @@ detectInFinitePoints (const DetectorInput& input,
   // looks for equal points again.
   const Points points =
       distinctPoints (input.cloud, parameters.threads, input.indices, step);
-  LabelledPlanes planes =
-      points.size() > 0 ? detect (points, found.durations) : LabelledPlanes();
+  LabeledPlanes planes =
+      points.size() > 0 ? detect (points, found.durations) : LabeledPlanes();
   if (!points.copies.empty())
     addCopies (points, planes);
   found.planes = toSegments (points, planes, input.viewpoint);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "warnings/labelled_sample.h"
+#include "warnings/labeled_sample.h"
 
 #include "warnings/constants.h"
 
@@ -27,7 +27,7 @@ labelsOfPoints (std::size_t points, const std::vector<PlaneSegment>& planes)
 
 } // namespace
 
-LabelledSample
+LabeledSample
 sampleWithLabels (const CloudView& cloud,
                   const std::vector<PlaneSegment>& planes,
                   const Eigen::Vector3d& shift)
@@ -36,7 +36,7 @@ sampleWithLabels (const CloudView& cloud,
   constexpr unsigned one_thread = 1;
   const Points points = finitePoints (cloud, one_thread);
   const Indices sampled = sampleIndices (points, warning_constants.sampled_points);
-  LabelledSample sample;
+  LabeledSample sample;
   sample.points = selected (points, sampled);
   sample.origin = points.origin + shift;
   sample.finite_points = points.size();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "detection/labelled_planes.h"
+#include "detection/labeled_planes.h"
 #include "grid_scene.h"
 
 using namespace pcl_ops;
@@ -37,7 +37,7 @@ TEST (MergePlanesOf, MakesNoPlaneOfALineAndOnePlaneOfTwoHalves)
   labels.back() = expected.back() = no_plane;
   MergingParameters merging;
   merging.distance_threshold = 5_cm;
-  const LabelledPlanes found = mergePlanesOf (
+  const LabeledPlanes found = mergePlanesOf (
       {labels, momentsOfLabels (points, labels, 3, one_thread)}, merging, two_threads);
   EXPECT_EQ (found.labels, expected);
   EXPECT_EQ (found.planes_before_merging, 3u);
@@ -52,7 +52,7 @@ TEST (DetectInFinitePoints, DoesNotCallTheDetectorWithoutAFinitePoint)
   cloud.push_back ({NAN, 0, 0});
   const auto detect = [] (const Points&, auto&) {
     ADD_FAILURE() << "called";
-    return LabelledPlanes();
+    return LabeledPlanes();
   };
   EXPECT_TRUE (detectInFinitePoints (inputOf (cloud), PlaneDetectorParameters(), detect)
                    .planes.empty());
@@ -82,7 +82,7 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
       labels.push_back (points.origin.z() + points.z[i] < 0.0 ? 0 : 1);
     MergingParameters keep_apart;
     keep_apart.enabled = false;
-    LabelledPlanes found =
+    LabeledPlanes found =
         mergePlanesOf ({labels, momentsOfLabels (points, labels, 2, one_thread)},
                        keep_apart,
                        one_thread);

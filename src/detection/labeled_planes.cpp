@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "detection/labelled_planes.h"
+#include "detection/labeled_planes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -59,7 +59,7 @@ fillInInliers (const Points& points,
 // Sorts planes by descending number of points, and changes labels and merged_into to
 // the new indices of the planes.
 void
-sortByDescendingCount (LabelledPlanes& found)
+sortByDescendingCount (LabeledPlanes& found)
 {
   MergedPlanes& planes = found.planes;
   std::vector<std::size_t> order (planes.moments.size());
@@ -87,20 +87,20 @@ sortByDescendingCount (LabelledPlanes& found)
 
 } // namespace
 
-LabelledPlanes
+LabeledPlanes
 mergePlanesOf (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads)
 {
-  LabelledPlanes found{std::move (assigned.labels),
-                       mergePlanes (assigned.moments, parameters),
-                       assigned.moments.size()};
+  LabeledPlanes found{std::move (assigned.labels),
+                      mergePlanes (assigned.moments, parameters),
+                      assigned.moments.size()};
   relabel (found.labels, found.planes.merged_into, threads);
   return found;
 }
 
 void
-addCopies (const Points& points, LabelledPlanes& found)
+addCopies (const Points& points, LabeledPlanes& found)
 {
   MergedPlanes& planes = found.planes;
   for (const Copy& copy : points.copies)
@@ -120,7 +120,7 @@ addCopies (const Points& points, LabelledPlanes& found)
 
 std::vector<PlaneSegment>
 toSegments (const Points& points,
-            const LabelledPlanes& found,
+            const LabeledPlanes& found,
             const Eigen::Vector3d& viewpoint)
 {
   std::vector<PlaneSegment> segments;
