@@ -100,11 +100,11 @@ adviceOnTooFew (const OrientedPointSamplingParameters& parameters,
   const double median_points =
       voxel_size ? medianPointsWithin (*voxel_size, points) : min_points;
   if (median_points < min_points)
-    return concatenate ("half of the voxels of --voxel-size ",
-                        *voxel_size,
-                        " hold ",
+    return concatenate ("half of the points have ",
                         median_points,
-                        " points or fewer: raise it, or leave it out");
+                        " or fewer points within --voxel-size ",
+                        *voxel_size,
+                        " of them: raise it, or leave it out");
   return "";
 }
 
@@ -194,7 +194,7 @@ constexpr double min_share_on_planes = 0.05;
  * few points give some planes by chance. */
 constexpr double min_share_on_planes_of_voxels = 0.1;
 
-/** \brief Returns which of both bounds is that of a detection with these parameters. */
+/** \brief Returns the bound that applies to a detection with these parameters. */
 inline double
 minShareOnPlanes (const OrientedPointSamplingParameters& parameters)
 {
@@ -210,9 +210,9 @@ minShareOnPlanes (const Parameters&)
   return min_share_on_planes;
 }
 
-/** \brief Returns which option to change, as the end of a sentence, if the share of the
- * finite points that is on planes is below \ref minShareOnPlanes; else an empty string.
- */
+/** \brief Returns which option to change, or why the cloud has no planes, as the end of
+ * a sentence; an empty string if enough of the finite points are on planes (\ref
+ * minShareOnPlanes). */
 template <typename Parameters>
 std::string
 adviceFor (const Parameters& parameters,
@@ -304,7 +304,7 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
   constexpr double voxel_size_in_spacings = 2.0;
   return concatenate ("planes are thick: ",
                       std::lrint (100.0 * thick_share),
-                      " % of the points on planes are on such as are more than ",
+                      " % of the points on planes are on planes that are more than ",
                       thick_factor,
                       " times thicker than their surroundings: give --voxel-size ",
                       roundedToOneDigit (voxel_size_in_spacings * *spacing),

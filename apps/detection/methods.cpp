@@ -223,8 +223,8 @@ withObserver (Parameters parameters,
   return parameters;
 }
 
-/** \brief Adds hints on the options of OPS, and sets Detected::search if the detection
- * was on neighborhoods. */
+/** \brief Adds hints on the options of OPS, and sets Detected::search_parameters if the
+ * detection was on neighborhoods. */
 void
 addHints (const GivenNumbers& given,
           const OpsParameters& parameters,
@@ -237,7 +237,7 @@ addHints (const GivenNumbers& given,
       parameters.sampling != Sampling::Points && !parameters.surfels.voxel_size;
   if (!is_on_neighborhoods)
     return;
-  detected.search = parameters;
+  detected.search_parameters = parameters;
   const std::string hint = hintOnThickPlanes (cloud, detected.planes);
   if (!hint.empty())
     detected.hints.push_back (hint);

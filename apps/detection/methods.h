@@ -57,7 +57,7 @@ struct Detected {
   /** \brief By falling size, in the frame of ShiftedCloud::cloud; pcl_ops_segment moves
    * them to the frame of the file. */
   std::vector<PlaneSegment> planes;
-  /** \brief Kind of each plane, found with all planes of the cloud; empty if not asked
+  /** \brief Kind of each plane, found before programs drop planes; empty if not asked
    * for. */
   std::vector<PlaneKind> kinds;
   /** \brief Convex outline of each plane, in the frame of the file; empty if not asked
@@ -84,10 +84,11 @@ struct Detected {
   /** \brief All parameters by the keys of their options (\ref keyOf), for reports. */
   Settings settings;
   /** \brief Parameters of the detection, if it was OPS on neighborhoods. */
-  std::optional<OrientedPointSamplingParameters> search;
+  std::optional<OrientedPointSamplingParameters> search_parameters;
   /** \brief The direction against gravity that was used. */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  /** \brief A line on how \ref up was estimated; empty if it was not. */
+  /** \brief A line on the estimate of \ref up, also if it failed; empty if none was
+   * asked for in this cloud. */
   std::string up_note;
   /** \brief If no up axis was given: the axis that the planes show, if this is reliable
    * and not \ref up. */
@@ -155,8 +156,9 @@ findUpAxis (const DetectorOptions& options, const XyzCloud& cloud);
 /** \brief Finds the planes of a cloud by a method. For `--up auto` it first calls \ref
  * findUpAxis, which uses OPS whatever \p method is, as the confidence of an axis was
  * measured with planes of OPS. If findUpAxis finds no axis, the default axis is used.
- * If
- * --up is not given, a hint may name a better axis. */
+ * By default (OPS without --preset and --up) a hint may name a better axis. If two
+ * planes may be one surface, a second detection looks for the --merge-distance that a
+ * hint names. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
@@ -178,8 +180,8 @@ bool
 hasStages (const Method& method, const DetectorOptions& options);
 
 /** \brief Returns the edge of the largest voxels that --voxel-size asks for [unit of
- * the cloud]; 0 if the option is not given. If a cloud is shifted by a multiple of this
- * edge, the same points are in a voxel as before. */
+ * the cloud]; 0 if the option is not given. A shift of the cloud by a multiple of this
+ * edge leaves the same points together in each voxel. */
 double
 voxelStepOf (const DetectorOptions& options);
 

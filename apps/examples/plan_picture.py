@@ -11,8 +11,9 @@ from pcl_ops import buildings
 
 matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 
-CUT_HEIGHT = 1.2  # above the lowest floor [m], the default of floor plans
 NEAR_CUT = 0.3  # largest distance of drawn points above or below the cut [m]
 MARGIN = 0.7  # around the rooms [m]
 
@@ -24,11 +25,12 @@ def draw_line(axes, start, end, **style):
 def draw_plan(axes, plan):
     """Draws walls black, openings blue, and rooms orange with their area."""
     for room in plan.rooms:
+        # Holes run the other way round than the outline: a compound path leaves them empty.
+        area = Path.make_compound_path(*(Path(ring, closed=True) for ring in room.rings))
+        axes.add_patch(PathPatch(area, fc="tab:orange", ec="none", alpha=0.15))
         for ring in room.rings:
-            axes.fill(ring[:, 0], ring[:, 1], fc="tab:orange", alpha=0.15)
             axes.fill(ring[:, 0], ring[:, 1], fill=False, ec="tab:orange", lw=0.8)
-        middle = room.rings[0].mean(axis=0)
-        axes.text(middle[0], middle[1], f"{room.area:.1f} m²", ha="center", fontsize=11)
+        axes.text(*room.middle, f"{room.area:.1f} m²", ha="center", fontsize=11)
     for wall in plan.walls:
         draw_line(axes, wall.start, wall.end, color="black", lw=2)
         for opening in wall.openings:
@@ -39,7 +41,7 @@ def show_rooms(axes, plan):
     """Shows the part of the picture around the rooms."""
     axes.set_aspect("equal")
     axes.set_axis_off()
-    corners = [corner for room in plan.rooms for ring in room.rings for corner in ring[:, :2]]
+    corners = [corner for room in plan.rooms for ring in room.rings for corner in ring]
     if corners:
         low, high = np.min(corners, axis=0) - MARGIN, np.max(corners, axis=0) + MARGIN
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
@@ -55,9 +57,7 @@ def main():
         points = points[np.isfinite(points).all(axis=1)]
         _, planes = pcl_ops.segment(points)
         plan = buildings.floor_plan(planes)
-        floors = [room.floor for room in plan.rooms if room.floor is not None]
-        height_over_floor = points[:, 2] - (min(floors) if floors else points[:, 2].min())
-        near = points[np.abs(height_over_floor - CUT_HEIGHT) < NEAR_CUT]
+        near = points[np.abs(points[:, 2] - plan.height) < NEAR_CUT]
         axes.scatter(near[:, 0], near[:, 1], s=0.5, c="0.6", linewidths=0)
         draw_plan(axes, plan)
         show_rooms(axes, plan)

@@ -35,7 +35,7 @@ constexpr std::array<AxisNames, 3> axes = {
      {"z", "elevation", "height", "h", "points:2"}}};
 
 /** \brief Whether a word is a name: it begins with a letter, which may be beyond ASCII,
- * or with an underscore, and is no number as "nan" is. */
+ * or with an underscore, and is not a number ("nan" is one). */
 bool
 isName (const std::string& word)
 {
@@ -48,8 +48,8 @@ isName (const std::string& word)
          !numberType (pcl::PCLPointField::FLOAT64).parse (word, &ignored);
 }
 
-/** \brief Returns a name in lower case, without what is behind its first bracket: the
- * unit. */
+/** \brief Returns a name in lower case, without its unit, which begins at the first
+ * bracket, and without blanks and underscores at the end. */
 std::string
 plainName (const std::string& name)
 {
@@ -76,7 +76,7 @@ findAxis (const Words& names, const AxisNames& axis_names)
 }
 
 /** \brief Returns a name in a form that headers of clouds allow: without blanks, and
- * short. Empty if it is only an underscore, which a PCD calls padding. */
+ * short. Empty if it is only an underscore, the name of padding in a PCD. */
 std::string
 allowedName (std::string name)
 {
@@ -129,10 +129,18 @@ quotedParts (const std::string& line)
   return parts;
 }
 
+/** \brief Whether the first word of a line begins with # or //. */
+bool
+isComment (const std::string& line)
+{
+  const std::size_t begin = std::min (line.find_first_not_of (" \t"), line.size());
+  return line.compare (begin, 1, "#") == 0 || line.compare (begin, 2, "//") == 0;
+}
+
 /** \brief Removes the quotes from a line. Separators in quotes become underscores, as
  * they do not divide a word. A line whose last quote is not closed does not change.
- * \throws WorkError if a quoted number has a decimal comma, unless semicolons separate the
- * words: then commas are decimal commas everywhere */
+ * \throws WorkError if a quoted number has a decimal comma, unless the line is a comment
+ * or semicolons separate the words: then commas are decimal commas everywhere */
 void
 removeQuotes (const FileReader& reader, std::string& line)
 {
@@ -151,7 +159,7 @@ removeQuotes (const FileReader& reader, std::string& line)
     const bool is_number =
         parts[i].find_first_not_of ("0123456789+-.,") == std::string::npos;
     const bool has_comma = parts[i].find (',') != std::string::npos;
-    if (is_number && has_comma && separator != ';')
+    if (is_number && has_comma && separator != ';' && !isComment (line))
       reader.failAtLine ("has '" + parts[i] +
                          "', a number with a decimal comma in place of a point");
     for (char& c : parts[i])
@@ -193,7 +201,7 @@ areNames (const Words& words)
  * columns have no names, the first three columns of numbers.
  * \param[in] names of all columns, or none
  * \param[in] has_words for each column, whether it has words
- * \throws WorkError if columns have names, but none is that of a coordinate */
+ * \throws WorkError if columns have names, but no column has one of the coordinates */
 std::vector<std::size_t>
 columnsOfAxes (const std::string& file,
                const Words& names,
@@ -220,8 +228,8 @@ columnsOfAxes (const std::string& file,
 
 /** \brief Returns for each column the name of the field that it becomes; empty if the
  * column has words. The fields x, y and z are the columns of \ref columnsOfAxes. Other
- * columns keep their names if a field may have such a name and no field before has it;
- * else the fourth column becomes field_4, and so on.
+ * columns get the \ref allowedName of their name. If it is empty or taken, the fourth
+ * column becomes field_4, and so on.
  * \param[in] names, has_words as of \ref columnsOfAxes
  * \throws WorkError as \ref columnsOfAxes */
 Words
@@ -304,10 +312,9 @@ private:
       removeQuotes (reader_, line_);
       if (line_.find ('\r') != std::string::npos)
         reader_.failAtLine ("has a carriage return within, as if it were several");
-      const std::size_t begin = line_.find_first_not_of (" \t");
-      if (begin == std::string::npos)
+      if (line_.find_first_not_of (" \t") == std::string::npos)
         continue;
-      if (line_[begin] != '#' && line_.compare (begin, 2, "//") != 0)
+      if (!isComment (line_))
         return true;
       if (!has_points_)
         noteComment();
@@ -392,9 +399,9 @@ private:
   }
 
   /** \brief Compares the number of columns of the first point with that of their names.
-   * If no line has names, takes those of a comment that has as many words as there are
-   * columns.
-   * \throws WorkError if a line has more or fewer names than there are columns */
+   * If no line has names, takes \ref comment_names_ if they are as many as the columns.
+   * \throws WorkError if a line has more or fewer names than there are columns, or if
+   * the number of columns is not allowed (FileReader::checkColumnCount) */
   void
   applyNames ()
   {

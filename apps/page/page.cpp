@@ -65,8 +65,8 @@ void
 writeSteps (const PointGroup& group, std::ostream& stream)
 {
   constexpr std::uint32_t low_byte = 255;
-  // In base64 the first byte of a number has the highest bits, so the bytes are
-  // swapped.
+  // writeBase64 takes the first byte in the highest bits. The first byte of a
+  // little-endian number is its low byte, so the bytes are swapped.
   const auto swapped = [] (std::uint16_t number) {
     return (number & low_byte) << 8U | number >> 8U;
   };

@@ -45,7 +45,7 @@ warningsOn (const SegmentOptions& options,
   context.suggested_up = detected.suggested_up;
   context.uses_kinds = !task.outputs.floor_plan.empty() || options.choice.namesKinds();
   context.has_camera_poses = options.track.has_camera_poses;
-  context.search = detected.search;
+  context.search = detected.search_parameters;
   std::vector<ResultWarning> warnings =
       resultWarnings (*shifted.cloud, detected.planes, context);
   if (cloud.las)

@@ -99,7 +99,7 @@ withWarnings (const Plan& plan,
               const std::string& list_text,
               const ForEachLabeledPoint& for_each_point)
 {
-  // With so many points, shares of points are right within one per cent.
+  // With so many points, shares of points are right within one percent.
   constexpr std::size_t sample_size = 40'000;
   auto list = nlohmann::ordered_json::parse (list_text);
   PlaneSample sample = samplePlanes (list, for_each_point, sample_size);

@@ -10,7 +10,7 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Stands for the index of a line at a side on the rim of the plan. */
+/** \brief In PlanCell::lines: the side is on the rim of the plan, and on no line. */
 constexpr std::size_t no_line = static_cast<std::size_t> (-1);
 
 /** \brief A convex cell of a plan, bounded by lines and by the rim of the plan. */
@@ -31,8 +31,8 @@ cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines);
 struct CommonSide {
   /** \brief Indices of the two cells in the list of cells. */
   std::size_t first, second;
-  /** \brief The side of the first cell: it runs from its corner of this index to the
-   * next. */
+  /** \brief Index of the side in the first cell: the side runs from the corner of this
+   * index to the next corner. */
   std::size_t side;
 };
 

@@ -45,9 +45,12 @@ levelsOf (std::vector<LevelPlane> planes);
  * - The lowest level left is the first floor if it was not seen from below and is less
  *   than max_step above \p lowest. If it is larger than furniture (min_ground_area), it
  *   may be less than headroom above \p lowest, or at any height below the sensor.
- * - A higher level less than headroom above the floor of its story is ignored.
- * - Any other level is a ceiling if it was seen from below. Else it is the floor of the
- *   next story, or the upper side of a ceiling.
+ * - Any other level less than headroom above the floor of the last story is ignored.
+ * - A level left is the ceiling of the last story if it was seen from below.
+ * - Else, while that story has no ceiling: a highest level smaller than
+ *   min_ceiling_share_of_floor of the floor is ignored. The highest level, or one up to
+ *   max_deck_thickness below a floor, is the ceiling unless it is below the sensor.
+ * - Else it is the floor of the next story.
  * \param[in] levels ascending
  * \param[in] lowest height of the lowest plane [m], of its middle if it is level: the
  * floor of the first story if no floor was seen */

@@ -167,7 +167,8 @@ neighborsBelow (const std::vector<MortonCode>& codes,
   around.begin.resize (codes.size() + 1);
   const auto pieces = parallelPieces (
       threads, parents, parents_per_piece, [&] (std::size_t begin, std::size_t end) {
-        // A vector would first write zeros, which takes longer than the results.
+        // A vector would first write zeros, which takes longer than writing
+        // the results.
         std::unique_ptr<std::uint32_t[]> found (
             new std::uint32_t[max_neighbors * (first_child[end] - first_child[begin])]);
         std::uint32_t* next = found.get();
@@ -218,6 +219,7 @@ connected (const std::vector<MortonCode>& codes, unsigned threads)
 {
   ConnectedVoxels voxels;
   std::vector<LargerVoxels>& larger = voxels.larger;
+  // Returns the codes of the voxels whose parents are larger[level].
   const auto codesBelow = [&] (std::size_t level) -> const std::vector<MortonCode>& {
     return level == 0 ? codes : larger[level - 1].codes;
   };

@@ -19,7 +19,7 @@ namespace {
 // little.
 constexpr std::size_t block_size = 256;
 constexpr std::size_t points_per_piece = 64 * block_size; // of a parallel loop
-// Number of planes compared with a block between checks whether all points are done.
+// After so many planes a block checks again whether all its points have a plane.
 constexpr std::size_t planes_between_checks = 32;
 
 /** \brief A bounding box along the axes [m]. */

@@ -22,12 +22,12 @@ using Block = std::pair<int, int>;
 using BlockSums = std::map<Block, Vector3d>;
 
 /** \brief The side of a block is the square root of the plane's area, divided by this
- * number. So a plane has some 64 blocks, far larger than the range of correlated sensor
- * errors. */
+ * number. So a plane has some 64 blocks. On planes of usual size they are far larger
+ * than the range of correlated sensor errors. */
 constexpr double blocks_per_side = 8.0;
 
-// Number of errors that a plane fit estimates: two tilts and an offset.
-constexpr double fitted_errors = 3.0;
+// Number of parameters that a plane fit estimates: two tilts and an offset.
+constexpr double fitted_parameters = 3.0;
 
 // \param[in] axes of the plane, PlaneCovariance::axes
 // \param[in] side of a block [m]
@@ -52,22 +52,29 @@ blockSums (const CloudView& cloud,
   return sums;
 }
 
+/** \brief Covariance of the coordinates s and t of the inliers in the plane [m^2]. */
+Eigen::Matrix2d
+spreadOf (const PlaneSegment& plane, const Eigen::Matrix<double, 3, 2>& axes)
+{
+  return axes.transpose() * plane.moments.covariance() * axes;
+}
+
 } // namespace
 
 std::optional<PlaneCovariance>
 independentPlaneCovariance (const PlaneSegment& plane)
 {
   const double n = plane.moments.count;
-  if (n < fitted_errors + 1.0 || !fitPlane (plane.moments))
+  if (n < fitted_parameters + 1.0 || !fitPlane (plane.moments))
     return std::nullopt;
   PlaneCovariance covariance;
   covariance.axes = internal::planeAxes (plane.normal);
-  // The upper left part of A^T A / n, with A of the description of planeCovariance. The
-  // coordinates s and t start at the centroid, so that their means are 0.
-  const Eigen::Matrix2d spread =
-      covariance.axes.transpose() * plane.moments.covariance() * covariance.axes;
+  // The upper left part of A^T A / n, with A of the description of
+  // independentPlaneCovariance. The coordinates s and t start at the centroid, so that
+  // their means are 0.
+  const Eigen::Matrix2d spread = spreadOf (plane, covariance.axes);
   const double rms = plane.rms();
-  const double residual_variance = rms * rms * n / (n - fitted_errors);
+  const double residual_variance = rms * rms * n / (n - fitted_parameters);
   covariance.matrix.setZero();
   covariance.matrix.topLeftCorner<2, 2>() = residual_variance / n * spread.inverse();
   covariance.matrix (2, 2) = residual_variance / n;
@@ -82,8 +89,7 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   if (!covariance)
     return std::nullopt;
   const double n = plane.moments.count;
-  const Eigen::Matrix2d spread =
-      covariance->axes.transpose() * plane.moments.covariance() * covariance->axes;
+  const Eigen::Matrix2d spread = spreadOf (plane, covariance->axes);
   // A rectangle of evenly spread points with this covariance has the area 12 sqrt
   // (det).
   const double area = 12.0 * std::sqrt (std::max (0.0, spread.determinant()));
@@ -92,7 +98,7 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   const BlockSums sums =
       blockSums (cloud, plane, covariance->axes, std::sqrt (area) / blocks_per_side);
   const auto block_count = static_cast<double> (sums.size());
-  if (block_count < fitted_errors + 1.0)
+  if (block_count < fitted_parameters + 1.0)
     return std::nullopt;
   Matrix3d sum_of_products = Matrix3d::Zero();
   for (const auto& [block, sum] : sums)
@@ -104,7 +110,7 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   // matched by exact poses: f of the description of planeCovariance.
   constexpr double measured_factor = 1.7;
   covariance->matrix = measured_factor * measured_factor * block_count /
-                       (block_count - fitted_errors) * inverse * sum_of_products *
+                       (block_count - fitted_parameters) * inverse * sum_of_products *
                        inverse;
   return covariance;
 }

@@ -20,8 +20,8 @@ namespace pcl_ops::evaluation {
 NamedValues
 partitionMetrics (const Confusion& confusion);
 
-/** Returns the similarity of two labelings of the same points, neither of which need be
- * the truth. Planes are matched one to one, the largest overlap first; of equal
+/** Returns the similarity of two labelings of the same points, neither of which has to
+ * be the truth. Planes are matched one to one, the largest overlap first; of equal
  * overlaps the one with the lower labels. The similarity is the number of points on
  * both planes of a match / the number of points on a plane in either labeling; 1
  * without planes.

@@ -20,9 +20,9 @@ struct Refinement {
 
 /** \brief Divides coarse voxels without a plane that have 8 points or more, and the
  * neighbors of these voxels, into voxels of half the edge. A finer voxel keeps the
- * plane of the coarse voxel that contains it if its points lie on that plane: within
- * \ref max_voxel_rms_in_noises.
- * \param[in] voxels the coarse ones with neighbors, by \ref connect
+ * plane of the coarse voxel that contains it if the rms distance of its points to that
+ * plane is below max_voxel_rms_in_noises (plane_growing.h) times the plane's noise.
+ * \param[in] voxels both levels; \ref connect was called for the coarse one
  * \param[in] planes found in the coarse voxels, with their noise */
 Refinement
 refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads);

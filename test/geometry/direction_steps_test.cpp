@@ -9,6 +9,14 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief Adds a position in single precision. */
+void
+add (const Eigen::Vector3d& position, Coordinates& points)
+{
+  const pcl::PointXYZ point = toPoint (position);
+  points.add (point.x, point.y, point.z);
+}
+
 const Eigen::Vector3d lidar_position (1, 2, 1.5); // [m]
 
 /** \brief What a lidar at lidar_position, the middle of a room of 8 m x 8 m x 3 m, sees
@@ -28,25 +36,21 @@ roomSeenInSteps (double even_step, double odd_step)
       const Eigen::Array3d half_size (4_m, 4_m, 1.5_m);
       // To the planes of the walls across x and y, and of floor and ceiling.
       const Eigen::Array3d ranges = half_size / ray.array().abs();
-      const pcl::PointXYZ point = toPoint (lidar_position + ranges.minCoeff() * ray);
-      points.add (point.x, point.y, point.z);
+      add (lidar_position + ranges.minCoeff() * ray, points);
     }
   }
   return points;
 }
 
-/** \brief Points drawn uniformly on a sphere with a radius of 1 m: their directions
- * from its center have no steps. */
+/** \brief Points drawn uniformly on a sphere with a radius of 1 m: the steps between
+ * their directions from its center differ. */
 Coordinates
 drawnOnSphere (const Eigen::Vector3d& center, int number)
 {
   Coordinates points;
   RandomGenerator generator (seedOfTest());
-  for (int i = 0; i < number; ++i) {
-    const pcl::PointXYZ point =
-        toPoint (center + drawGaussians (generator).normalized());
-    points.add (point.x, point.y, point.z);
-  }
+  for (int i = 0; i < number; ++i)
+    add (center + drawGaussians (generator).normalized(), points);
   return points;
 }
 
@@ -61,7 +65,7 @@ TEST (ShareOfCommonSteps, IsNearly1ForALidarWithOneOrTwoSizesOfSteps)
         << odd_step;
 }
 
-TEST (ShareOfCommonSteps, IsLowBesideTheLidarAndForPointsWithoutSteps)
+TEST (ShareOfCommonSteps, IsLowBesideTheLidarAndForPointsWithoutCommonSteps)
 {
   const Eigen::Vector3d beside = lidar_position + Eigen::Vector3d (2, 1, 0);
   EXPECT_LT (shareOfCommonSteps (roomSeenInSteps (0.2, 0.2), beside), 50_percent);
@@ -83,20 +87,15 @@ TEST (ShareOfCommonSteps, IsZeroForMoreThanFourPointsBehindEachOther)
     const Coordinates room = roomSeenInSteps (0.2, 0.2);
     Coordinates points;
     for (int layer = 1; layer <= layers; ++layer)
-      for (std::size_t i = 0; i < room.size(); ++i) {
-        const Eigen::Vector3d point =
-            lidar_position + layer * (room[i] - lidar_position);
-        points.add (static_cast<float> (point.x()),
-                    static_cast<float> (point.y()),
-                    static_cast<float> (point.z()));
-      }
+      for (std::size_t i = 0; i < room.size(); ++i)
+        add (lidar_position + layer * (room[i] - lidar_position), points);
     return shareOfCommonSteps (points, lidar_position);
   };
   EXPECT_GT (shareOfLayers (3), 90_percent);
   EXPECT_EQ (shareOfLayers (6), 0.0);
 }
 
-TEST (SeenByItsSteps, SaysYesAtTheLidarAloneAndCannotTellWithoutSteps)
+TEST (SeenByItsSteps, SaysYesOnlyAtTheLidarAndCannotTellWithoutCommonSteps)
 {
   const Coordinates room = roomSeenInSteps (0.2, 0.2);
   EXPECT_EQ (seenByItsSteps (room, lidar_position), StepsSay::Yes);

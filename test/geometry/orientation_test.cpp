@@ -33,6 +33,7 @@ TEST (OrientationOf, IsThatOfTheAngleFromTheUpAxis)
               {tilted (90_deg), up, 7_deg, Orientation::Vertical},
               {up, up, 0.0, Orientation::Horizontal},
               {Eigen::Vector3d::UnitX(), up, 0.0, Orientation::Vertical},
+              // Rounded to a length above 1: acos of the cosine would be NaN.
               {up * (1.0 + 1e-15), up, 7_deg, Orientation::Horizontal},
               {up, -Eigen::Vector3d::UnitY(), 7_deg, Orientation::Vertical}};
   for (const auto& row : rows)

@@ -127,12 +127,13 @@ sortedPositions (const Coordinates& points)
 void
 expectSpheresAsByBruteForce (const Coordinates& coordinates, double radius)
 {
-  Points points; // all points of the cloud: it has no list of indices
+  Points points; // Points::index is empty: they are the whole cloud
   static_cast<Coordinates&> (points) = coordinates;
+  // Without a search of the user the cloud and the indices of the input are not read.
   const Spheres spheres =
       spheresAround (inputWithoutSearch(), points, radius, one_thread);
   EXPECT_EQ (sortedPositions (spheres.points), sortedPositions (points));
-  Indices sphere{99, 98, 97}; // indices of no points, which find must overwrite
+  Indices sphere{99, 98, 97}; // of an earlier call: find must overwrite them
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     spheres.find (i, sphere);
     std::vector<int> times_found (points.size());

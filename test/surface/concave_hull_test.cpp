@@ -33,7 +33,7 @@ shareInside (const PlanarPoints& points, const PlanarPoints& outline)
 }
 
 /** \brief Whether a point is in an L of two bars of 2 m x 0.5 m from zero along x and
- * y; the coordinates are above 0. Rounding of the ends at 2 m does not matter. */
+ * y; the coordinates are at least 0. Rounding of the ends at 2 m does not matter. */
 bool
 isInL (const Eigen::Vector2d& point)
 {
@@ -68,7 +68,7 @@ isInWall (const Eigen::Vector2d& point)
   return point.y() < 2.501 && !is_in_window;
 }
 
-constexpr double area_around_window = 3_m * 2.5_m; // the window included
+constexpr double area_with_window = 3_m * 2.5_m;
 constexpr double area_of_window = 1_m * 0.8_m;
 
 /** \brief Draws points in a square of 3 m until a number of them are in a shape.
@@ -155,7 +155,7 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHoleAndTakesItOffTheArea)
   const PlanarPoints wall = gridOf (150, isInWall);
   const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 2u);
-  EXPECT_NEAR (areaOf (outline[0]), area_around_window, 1_percent * area_around_window);
+  EXPECT_NEAR (areaOf (outline[0]), area_with_window, 1_percent * area_with_window);
   EXPECT_NEAR (areaOf (outline[1]), -area_of_window, 5_percent) << "clockwise";
   for (const Eigen::Vector2d& corner : outline[1]) {
     EXPECT_NEAR (corner.x(), 1.5, 0.5 + 1e-9);
@@ -163,7 +163,7 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHoleAndTakesItOffTheArea)
   }
   const PlaneExtent extent = extentOf (outline, wall, ground);
   EXPECT_NEAR (
-      extent.area, area_around_window - area_of_window, 1_percent * area_around_window);
+      extent.area, area_with_window - area_of_window, 1_percent * area_with_window);
   ASSERT_EQ (extent.holes.size(), 1u);
   ASSERT_EQ (extent.rings().size(), 2u);
   EXPECT_EQ (extent.rings()[0], extent.hull);
@@ -182,8 +182,9 @@ TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPointsAndOfAFullSurfaceNoHole)
 TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
 {
   // The circle through the first three points has a radius of 1.001, above alpha, and
-  // no point in it: a hole 2 m long and 0.2 m wide. No circle through other points is
-  // as large.
+  // no point in it: by alpha alone their triangle, 2 m long and 0.2 m wide, would be a
+  // hole. All other circles through three points that have no point in them are
+  // smaller.
   PlanarPoints points = {{-0.9985, 0.1}, {-0.9985, -0.1}, {0.9985, 0.0}};
   for (const double sign : {1.0, -1.0}) {
     points.emplace_back (0.0, sign * 1.05);
@@ -250,7 +251,7 @@ TEST (ConcavePlaneExtent, OfTheInliersOfAStandingWallHasItsWindow)
   const PlaneSegment wall = planeOfPoints (cloud, inliers, Eigen::Vector3d::UnitY());
   const PlaneExtent extent = concavePlaneExtent (cloud, wall);
   EXPECT_NEAR (
-      extent.area, area_around_window - area_of_window, 1_percent * area_around_window);
+      extent.area, area_with_window - area_of_window, 1_percent * area_with_window);
   EXPECT_NEAR (extent.length, 3.0, 1_mm);
   ASSERT_EQ (extent.holes.size(), 1u);
   for (const Eigen::Vector3d& corner : extent.holes[0])

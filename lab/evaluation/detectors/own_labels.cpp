@@ -130,9 +130,10 @@ checkName (const std::string& name)
     return std::string (",/\\|\"").find (character) != std::string::npos || is_control;
   };
   if (name.empty() || std::any_of (name.begin(), name.end(), isForbidden))
-    throw UsageError ("--results",
-                      "'" + name +
-                          "' is no name without , / \\ | and quotes; give NAME=FOLDER");
+    throw UsageError (
+        "--results",
+        "'" + name +
+            "': a name has letters, and none of , / \\ | \"; give NAME=FOLDER");
   bool is_taken = name == "truth" || name == "all" || name == "none";
   for (const Configuration& known : allConfigurations())
     is_taken = is_taken || known.name == name || known.groups.count (name) > 0;

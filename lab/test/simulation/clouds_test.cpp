@@ -9,15 +9,15 @@ using namespace pcl_ops::simulation;
 
 namespace {
 
-/** A scene and how it is seen. */
+/** A scene, how it is simulated, and what its clouds are expected to have. */
 struct Kind {
   const char* scene;
-  std::optional<double> points;
+  std::optional<double> points; // Simulation::points
   /** Largest rounding error of points; grows with the distance to the origin [m]. */
   double largest_rounding;
-  /** Standard deviation of the noise [m], which bounds the distances to the plane; sqrt
-   * (3) times it if each coordinate errs. 0: it is not constant, so that there is no
-   * bound. */
+  /** Standard deviation of the noise [m], from which the largest distance to a plane
+   * follows. If each coordinate has an error of its own: this times the root of 3.
+   * 0: the noise is not constant, and the distance has no bound. */
   double sigma;
   std::size_t min_planes;
   const char* sensor = "lidar-16";

@@ -54,10 +54,10 @@ TEST (Advice, IsToRaiseAVoxelSizeThatLeavesOnePointInAVoxel)
     cloud.emplace_back (float (i / 10), float (i % 10), 0.0f);
   OrientedPointSamplingParameters ops;
   ops.surfels.voxel_size = 0.1; // [m]
-  EXPECT_EQ (
-      adviceFor (ops, cloud, {}),
-      "half of the voxels of --voxel-size 0.1 hold 1 points or fewer: raise it, or "
-      "leave it out");
+  EXPECT_EQ (adviceFor (ops, cloud, {}),
+             "half of the points have 1 or fewer points within --voxel-size 0.1 of "
+             "them: raise "
+             "it, or leave it out");
   ops.surfels.voxel_size = 10.0;
   EXPECT_EQ (adviceFor (ops, cloud, {}).find ("--voxel-size"), std::string::npos);
 }
