@@ -71,16 +71,20 @@ fitPlane (const Moments& moments)
   const Eigen::Matrix3d covariance = moments.covariance();
   internal::PrincipalAxes axes = internal::principalAxes (covariance);
   const Eigen::Vector3d& variances = axes.values;
+  // In narrower sets of points the closed form loses the digits of the smallest
+  // variance and of the normal. If the two smallest variances are equal, as for a ball
+  // or a rod, its normal is zero.
+  constexpr double min_width_of_closed_form = 3e-4; // over the length
+  if (axes.normal.isZero() || axes.values[1] < min_width_of_closed_form *
+                                                   min_width_of_closed_form *
+                                                   axes.values[2]) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
+    axes = {solver.eigenvectors().col (0), solver.eigenvalues().cwiseMax (0.0)};
+  }
   // Rounding of coordinates to single precision gives a line nearly this much width.
   constexpr double min_width_over_length = 1e-5;
   if (!(variances[1] > min_width_over_length * min_width_over_length * variances[2]))
     return std::nullopt;
-  // If the two smallest variances are equal, as for a ball or a rod, the closed form
-  // returns a zero normal: take any eigenvector of the smallest variance.
-  if (axes.normal.isZero())
-    axes.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> (covariance)
-                      .eigenvectors()
-                      .col (0);
   const Eigen::Vector3d centroid = moments.centroid();
   return PlaneFit{planeThrough (centroid, axes.normal), centroid, variances};
 }
@@ -130,7 +134,7 @@ nameOrientations (std::vector<PlaneSegment>& planes,
                   double tolerance)
 {
   if (!up.allFinite() || up.isZero (0.0) ||
-      !(tolerance >= 0.0 && tolerance <= right_angle))
+      !(tolerance >= 0.0 && tolerance <= max_right_angle))
     return false;
   const Eigen::Vector3d unit_up = up.stableNormalized();
   for (PlaneSegment& plane : planes)

@@ -87,6 +87,25 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
   }
 }
 
+TEST (FitPlane, OfANarrowStripIsThatOfAnSvdWhicheverWayItRuns)
+{
+  // 3 km long and 10 cm wide, as pieces of a rail far apart, with a noise of 2 mm.
+  RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Quaterniond turn = drawTurn (generator);
+    const Eigen::Vector3d length = turn * Eigen::Vector3d (3000, 0, 0);
+    const Eigen::Vector3d width = turn * Eigen::Vector3d (0, 0.1, 0);
+    PointList points;
+    for (int n = 0; n < 500; ++n)
+      points.push_back (drawPointOf ({{1, 2, 3}, length, width}, 2_mm, generator));
+    const auto fit = fitPlane (momentsOf (points, points.front()));
+    ASSERT_TRUE (fit);
+    const SvdPlane svd = planeBySvd (points);
+    EXPECT_LT (angleBetween (fit->plane.normal, svd.normal), 1e-4);
+    EXPECT_NEAR (std::sqrt (fit->variances[0] / svd.variances[0]), 1.0, 1e-3);
+  }
+}
+
 TEST (FitPlane, HasAUnitNormalWhereSeveralPlanesFitAlike)
 {
   // The corners of a cube, and of a rod of length 5 with a section of 1 x 1.
