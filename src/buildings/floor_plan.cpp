@@ -181,8 +181,10 @@ using EavesSquares = std::set<EavesSquare>;
 EavesSquare
 eavesSquareAt (const Vector3d& point)
 {
-  return {std::lround (point.x() / constants.max_eaves),
-          std::lround (point.y() / constants.max_eaves)};
+  constexpr double farthest = 1e15; // [squares], so that neighbors have indices, too
+  const Vector3d square =
+      (point / constants.max_eaves).cwiseMin (farthest).cwiseMax (-farthest);
+  return {std::lround (square.x()), std::lround (square.y())};
 }
 
 /** \brief Returns the squares with points of roofs, and the squares next to them, which

@@ -18,8 +18,10 @@ constexpr double any_height = -std::numeric_limits<double>::infinity();
 GridSquare
 squareAt (const Eigen::Vector2d& position)
 {
-  return {std::lround (position.x() / edge_of_square),
-          std::lround (position.y() / edge_of_square)};
+  constexpr double farthest = 1e15; // [squares], so that neighbors have indices, too
+  const Eigen::Vector2d square =
+      (position / edge_of_square).cwiseMin (farthest).cwiseMax (-farthest);
+  return {std::lround (square.x()), std::lround (square.y())};
 }
 
 /** \brief Returns all points sorted by square, then by their coordinates. */

@@ -48,6 +48,32 @@ TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
   EXPECT_NEAR (plan.height, 1.2_m, 1_mm);
 }
 
+TEST (FloorPlan, HasTheHeightOfACorridorApartFromThatOfTheLargerRoomInsideIt)
+{
+  // A corridor 1 m wide around a core of 8 m x 8 m, whose floor is 20 cm higher.
+  Building building;
+  building.level (PlaneKind::Floor, 0.0, {0, 0}, {10, 1});
+  building.level (PlaneKind::Floor, 0.0, {0, 9}, {10, 10});
+  building.level (PlaneKind::Floor, 0.0, {0, 1}, {1, 9});
+  building.level (PlaneKind::Floor, 0.0, {9, 1}, {10, 9});
+  building.level (PlaneKind::Floor, 0.2, {1.2, 1.2}, {8.8, 8.8});
+  building.wall ({0, 0}, {10, 0}).wall ({10, 0}, {10, 10});
+  building.wall ({10, 10}, {0, 10}).wall ({0, 10}, {0, 0});
+  building.wall ({1, 1}, {1, 9}).wall ({1, 9}, {9, 9}); // outer sides of the core
+  building.wall ({9, 9}, {9, 1}).wall ({9, 1}, {1, 1});
+  building.wall ({1.2, 1.2}, {8.8, 1.2}).wall ({8.8, 1.2}, {8.8, 8.8});
+  building.wall ({8.8, 8.8}, {1.2, 8.8}).wall ({1.2, 8.8}, {1.2, 1.2});
+  const FloorPlan plan = building.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  const PlanRoom& core = plan.rooms[0];
+  const PlanRoom& corridor = plan.rooms[1];
+  ASSERT_EQ (corridor.rings.size(), 2u) << "with a hole";
+  EXPECT_NEAR (core.floor.value(), 0.2, 1_mm);
+  EXPECT_NEAR (corridor.floor.value(), 0.0, 1_mm);
+  for (const PlanRoom& room : plan.rooms)
+    EXPECT_LE (room.enclosed, 1.0);
+}
+
 TEST (FloorPlan, HasTheHeightOfMostOfTheFloorWhereverMostPointsAre)
 {
   Building room = roomOf4By3();
