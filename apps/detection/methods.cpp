@@ -195,6 +195,17 @@ addHintOnSamplingRate (const GivenNumbers& given, Detected& detected)
         "the voxels their size: leave one of them out");
 }
 
+/** \brief Adds a hint if --probability has no effect. */
+void
+addHintOnProbability (const GivenNumbers& given,
+                      const OpsParameters& parameters,
+                      Detected& detected)
+{
+  if (given.count ("probability") > 0 && parameters.sampling != Sampling::Points)
+    detected.hints.push_back (
+        "--probability has an effect only with --preset paper: leave it out");
+}
+
 /** \brief Returns what a clock of processor time shows [ms]. */
 double
 millisecondsOf (clockid_t clock)
@@ -233,6 +244,7 @@ addHints (const GivenNumbers& given,
 {
   addHintOnMinInliers (given, parameters, cloud, detected);
   addHintOnSamplingRate (given, detected);
+  addHintOnProbability (given, parameters, detected);
   const bool is_on_neighborhoods =
       parameters.sampling != Sampling::Points && !parameters.surfels.voxel_size;
   if (!is_on_neighborhoods)

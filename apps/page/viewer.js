@@ -173,7 +173,7 @@ function prepareDrawing() {
   planes.forEach((plane, i) => {
     const normalLength = Math.max(0.25 * Math.sqrt(plane.area), radius / 100);
     addLines('normals', groups[i], [plane.centroid, add(plane.centroid, plane.normal, normalLength)]);
-    for (const ring of [plane.hull, ...plane.holes])
+    for (const ring of [plane.hull, ...plane.holes, ...(plane.parts || []).flat()])
       addLines('outlines', groups[i], ring.flatMap((corner, k) => [corner, ring[(k + 1) % ring.length]]));
   });
   addLines('edges', null, description.edges.flatMap(edge => [edge.from, edge.to]));

@@ -175,10 +175,15 @@ checkHaveEffect (const CommandLine& line, const SegmentOptions& options)
   const bool is_batch = options.isBatch();
   const bool is_tracked = options.track.is_on;
   const bool has_cloud = is_batch || !outputs.cloud.empty();
-  const bool has_hulls = is_batch || !outputs.planes.empty() || !outputs.mesh.empty() ||
-                         !outputs.view.empty() || line.isGiven ("min-area");
+  const auto is_given = [&line] (const char* name) { return line.isGiven (name); };
+  const char* const filters_by_hull[] = {
+      "min-area", "max-area", "min-width", "max-width", "size"};
+  const bool has_hulls =
+      is_batch || !outputs.planes.empty() || !outputs.mesh.empty() ||
+      !outputs.view.empty() ||
+      std::any_of (std::begin (filters_by_hull), std::end (filters_by_hull), is_given);
   const DependentOption dependent_options[] = {
-      {"hull", has_hulls, "--planes, --view, --mesh and --min-area; give one"},
+      {"hull", has_hulls, "--planes, --view, --mesh and filters by size; give one"},
       {"piece-gap", options.divides_into_pieces, "--pieces; give it, too"},
       {"plan-height", !outputs.floor_plan.empty(), "--floor-plan; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
@@ -212,9 +217,12 @@ checkOutputs (const SegmentOptions& options)
   if (hasLaszip())
     cloud_extensions.emplace_back (".laz");
   checkExtension ("OUTPUT", outputs.cloud, cloud_extensions);
-  for (const OutputOption& option : output_options)
-    if (!option.extensions.empty() && outputs.*option.output != standard_stream)
+  for (const OutputOption& option : output_options) {
+    const bool is_printed =
+        option.output == &Outputs::planes && outputs.planes == standard_stream;
+    if (!option.extensions.empty() && !is_printed)
       checkExtension ("--" + option.name, outputs.*option.output, option.extensions);
+  }
   const bool has_output = options.isBatch() || !outputs.planes.empty() ||
                           !outputs.files().empty() || !outputs.planes_dir.empty();
   if (options.quiet && !has_output)

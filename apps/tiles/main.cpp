@@ -107,7 +107,7 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
   line.addArguments ("INPUT", options.inputs, "");
   line.add ("output-dir DIR", options.output_dir).help ("where the outputs go");
-  line.add ("voxel-size M", options.plan.voxel_size, above (0))
+  line.add ("voxel-size M", options.plan.voxel_size, from (1e-30).upTo (1e30))
       .help ("edge of a voxel (by the density: some 20 points in one)")
       .onceCalled ("cell");
   line.add ("tile M", options.plan.tile, above (0))
@@ -211,6 +211,16 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
   std::map<std::string, std::string> input_of_file;
   for (const PlannedInput& input : plan.inputs)
     input_of_file.emplace (resolvedName (input.file), "");
+  const std::string own_plan = resolvedName (folder.work (run_file::plan));
+  input_of_file.emplace (own_plan, "");
+  if (!options.plan_file.empty()) {
+    const std::string name = resolvedName (options.plan_file);
+    const bool is_new = input_of_file.emplace (name, "").second;
+    if ((!is_new && name != own_plan) ||
+        name == resolvedName (folder.output (planes_file)))
+      throw UsageError (options.plan_file,
+                        "is an input or another output; give another --plan");
+  }
   checkWritable (folder.output (planes_file));
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     const std::string output = outputOf (plan, folder, i);
@@ -218,7 +228,8 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
     const auto [known, is_new] = input_of_file.emplace (resolvedName (output), input);
     const std::string& first_input = known->second;
     if (!is_new && first_input.empty())
-      throw UsageError (output, "is an input, too; give another --output-dir");
+      throw UsageError (output,
+                        "is an input or the plan, too; give another --output-dir");
     if (!is_new)
       throw UsageError (first_input + " and " + input,
                         "would both be written to " + output + "; rename one");

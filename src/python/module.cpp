@@ -122,7 +122,10 @@ segment (const PointRows& points,
          const Eigen::Vector3d& viewpoint,
          const Parameters& parameters)
 {
-  const detail::DetectorInput input{viewOf (points), nullptr, viewpoint - origin, {}};
+  Eigen::Vector3d local_viewpoint = viewpoint - origin;
+  if (local_viewpoint.isZero (0.0) && !viewpoint.isZero (0.0)) // known: not zero
+    local_viewpoint.z() = std::numeric_limits<double>::min();
+  const detail::DetectorInput input{viewOf (points), nullptr, local_viewpoint, {}};
   detail::Detection found;
   whileOthersRun ([&] { found = detail::detectChecked (input, parameters); });
   // A viewpoint of zero may mean that no sensor is known: if the points were not seen

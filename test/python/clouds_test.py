@@ -130,11 +130,14 @@ class Messages(unittest.TestCase):
         points = structured(self.points, padded("<f4"))
         without_last_byte, field_beyond_point, without_x = (message(points) for _ in range(3))
         without_last_byte.data = without_last_byte.data[:-1]
+        with_short_rows = message(points[:10], height=2)
+        with_short_rows.row_step = 4 * with_short_rows.point_step  # of 5
         field_beyond_point.fields[2].offset = 62  # 4 bytes from there on, of a point of 64
         without_x.fields[0].name = "a"
         two_x = message(np.zeros(1, [("x", "f4", 2), ("y", "f4", 2), ("z", "f4", 2)]))
         for msg, error, beginning in (
             (without_last_byte, ValueError, "msg: its fields, steps and data do not fit"),
+            (with_short_rows, ValueError, "msg: row_step is less than width times point_step"),
             (field_beyond_point, ValueError, "msg: its fields, steps and data do not fit"),
             (without_x, TypeError, "msg: has no number x for each point"),
             (two_x, TypeError, "msg: has several numbers x, y or z for each point"),

@@ -606,6 +606,8 @@ class Frames(unittest.TestCase):
         self.assertEqual(codes((0, 0, 0.1), found), [], "lifted")
         of_a_camera = pcl_ops.segment(points, up=(0, -1, 0))[1]
         self.assertEqual(codes((0.1, 0, 1), of_a_camera), [])
+        with_half_a_unit_of_up = pcl_ops.segment(points, up=(0, 0, 0.5))[1]
+        self.assertEqual(codes((0.1, 0, 1), with_half_a_unit_of_up), ["camera-poses"])
 
     def test_tracker_forgets_planes_out_of_sight_by_memory_and_far_ones_by_max_distance(self):
         tracker = pcl_ops.PlaneTracker(memory=0)

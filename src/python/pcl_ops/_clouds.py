@@ -240,7 +240,10 @@ def _rows_of_message(msg: Any) -> NDArray[Any]:
               if field.name != "_" and field.datatype in _TYPE_NAMES]
     byte_order = ">" if msg.is_bigendian else "<"
     field_types = [_type_of_field(field, byte_order) for field in fields]
-    row_step = msg.row_step if msg.height > 1 else msg.width * msg.point_step
+    width_of_row = msg.width * msg.point_step  # [bytes]
+    row_step = msg.row_step if msg.height > 1 else width_of_row
+    if row_step < width_of_row:
+        raise ValueError("msg: row_step is less than width times point_step")
     data = msg.data if isinstance(msg.data, bytes) else np.asarray(msg.data, np.uint8)
     try:
         layout = np.dtype({"names": [field.name for field in fields], "formats": field_types,

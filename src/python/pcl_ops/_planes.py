@@ -825,7 +825,8 @@ class PlaneTracker:
         numbers = self._tracker.track(listed, frame)
         if listed:
             self._sum_of_ups = self._sum_of_ups + frame[:3, :3] @ up_of(listed, None)
-        if self._motion.goes_up(frame, getattr(planes, "up", None)):
+        up = getattr(planes, "up", None)
+        if self._motion.goes_up(frame, None if up is None else up_direction(up)):
             context = _pcl_ops.ResultContext()
             context.has_camera_poses = True
             no_points, origin = np.empty((0, 3), np.float32), np.zeros(3)
