@@ -152,7 +152,8 @@ validate (const OrientedPointSamplingParameters& parameters);
  * \param[in] cloud the whole cloud, or all points of some of its parts; non-finite
  * points are skipped
  * \param[in] parameters those of the later searches of the parts
- * \param[in] points_of_whole number of points of the whole cloud, if \p cloud has fewer
+ * \param[in] points_of_whole number of points of the whole cloud, if \p cloud has
+ * fewer; the share that is skipped in \p cloud is skipped in the whole cloud, too
  * \return the noise; CloudNoise::points is 0 if the cloud has too few points
  * \throw std::invalid_argument if the parameters are wrong */
 PCL_OPS_EXPORT CloudNoise

@@ -95,8 +95,8 @@ struct PlaneExtent {
  * than half of the mean density inside. Noise blurs the edge of a surface, and at the
  * true edge the density has fallen to one half. At a sharp edge no points are removed.
  * \param[in] points in any order; points with a NaN or infinite coordinate are left out
- * \param[in] max_outside largest share of the points that may be outside, 0 to 1; 0:
- * the hull of all points
+ * \param[in] max_outside largest share of the points that may be outside, 0 to 1; the
+ * hull of all points for 0 or less, and for NaN
  * \return corners counter-clockwise, the first not repeated; empty if the points span
  * no area */
 PCL_OPS_EXPORT PlanarPoints

@@ -200,8 +200,14 @@ parallelFor (unsigned threads,
   // The calling thread does pieces, too.
   const std::size_t helpers =
       std::min ({wanted_threads, numberOfPieces (size, piece_size), max_threads}) - 1;
-  if (helpers > 0)
-    callOnWorkers (helpers, [=] { pieces->help (helpers); });
+  try {
+    if (helpers > 0)
+      callOnWorkers (helpers, [=] { pieces->help (helpers); });
+  }
+  catch (const std::bad_alloc&) {
+    // Fewer helpers or none: this thread does the pieces that are left. It has to wait
+    // for the helpers that began, as they use body.
+  }
   pieces->doPieces();
   pieces->waitForOthers();
 }

@@ -7,6 +7,7 @@
 #include <pcl_ops/plane_detector_parameters.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace pcl_ops::detail {
@@ -16,6 +17,9 @@ validate (const DetectorInput& input)
 {
   if (input.cloud.size == 0)
     return "the input cloud is empty";
+  constexpr pcl::index_t max_size = std::numeric_limits<pcl::index_t>::max();
+  if (input.cloud.size > static_cast<std::size_t> (max_size))
+    return "the input cloud must have fewer than 2^31 points; divide it";
   if (!input.indices)
     return {};
   if (input.indices->empty())
@@ -47,7 +51,7 @@ validate (const MergingParameters& merging)
   const auto isFiniteAndNotNegative = [] (double number) {
     return number >= 0.0 && std::isfinite (number);
   };
-  if (!(merging.angle_threshold >= 0.0 && merging.angle_threshold <= right_angle))
+  if (!(merging.angle_threshold >= 0.0 && merging.angle_threshold <= max_right_angle))
     return "the merging angle must be between 0 and pi/2 (radians)";
   if (!isFiniteAndNotNegative (merging.distance_threshold.value_or (0.0)))
     return "the merging distance must be a length, or not be given";
@@ -67,7 +71,8 @@ validate (const PlaneDetectorParameters& parameters)
     return "the distance threshold must be a length above 0";
   if (!parameters.up_axis.allFinite() || parameters.up_axis.isZero (0.0f))
     return "the up axis must be a finite vector other than zero";
-  if (!(parameters.angle_tolerance >= 0.0 && parameters.angle_tolerance <= right_angle))
+  if (!(parameters.angle_tolerance >= 0.0 &&
+        parameters.angle_tolerance <= max_right_angle))
     return "the angle tolerance must be between 0 and pi/2 (radians)";
   return validate (parameters.merging);
 }

@@ -87,6 +87,26 @@ sortByDescendingCount (LabeledPlanes& found)
 
 } // namespace
 
+ChosenPoints::ChosenPoints (const DetectorInput& input) : cloud_ (input.cloud)
+{
+  if (!input.indices)
+    return;
+  chosen_.emplace();
+  for (const pcl::index_t i : *input.indices)
+    chosen_->insert (chosen_->end(), input.cloud[i], input.cloud[i] + 3);
+}
+
+CloudView
+ChosenPoints::view() const
+{
+  constexpr std::size_t numbers = 3; // of a point
+  return chosen_ ? CloudView (chosen_->data(),
+                              0,
+                              numbers * sizeof (float),
+                              chosen_->size() / numbers)
+                 : cloud_;
+}
+
 LabeledPlanes
 mergePlanesOf (AssignedPoints assigned,
                const MergingParameters& parameters,

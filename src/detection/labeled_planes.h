@@ -63,6 +63,22 @@ toSegments (const Points& points,
             const LabeledPlanes& found,
             const Eigen::Vector3d& viewpoint);
 
+/** \brief The points of a cloud that the indices of the input choose; all without
+ * indices. */
+class ChosenPoints {
+public:
+  /** \brief Keeps a reference to the cloud of the input. */
+  explicit ChosenPoints (const DetectorInput& input);
+
+  /** \brief A view of the points while this object exists. */
+  CloudView
+  view () const;
+
+private:
+  CloudView cloud_;
+  std::optional<std::vector<float>> chosen_; // x, y and z of each; none: all of cloud_
+};
+
 /** \brief Drops planes with fewer inliers than \p min_points. */
 void
 dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
@@ -84,6 +100,9 @@ detectInFinitePoints (const DetectorInput& input,
 {
   Detection found;
   const StageClock clock;
+  // A viewpoint that is not finite is not known.
+  const Eigen::Vector3d viewpoint =
+      input.viewpoint.allFinite() ? input.viewpoint : Eigen::Vector3d (0, 0, 0);
   // Detectors do not check for NaN or infinite coordinates again. Only distinctPlaces
   // looks for equal points again.
   const Points points =
@@ -92,15 +111,17 @@ detectInFinitePoints (const DetectorInput& input,
       points.size() > 0 ? detect (points, found.durations) : LabeledPlanes();
   if (!points.copies.empty())
     addCopies (points, planes);
-  found.planes = toSegments (points, planes, input.viewpoint);
+  found.planes = toSegments (points, planes, viewpoint);
   dropSmallPlanes (parameters.min_points, found.planes);
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
   // A zero viewpoint may be the position of the sensor, or was never set. Normals of
   // planes that cannot have been seen from there are turned up.
-  if (input.viewpoint.isZero (0.0))
-    turnUnseenUp (
-        input.cloud, input.viewpoint, parameters.up_axis.cast<double>(), found.planes);
+  if (viewpoint.isZero (0.0))
+    turnUnseenUp (ChosenPoints (input).view(),
+                  viewpoint,
+                  parameters.up_axis.cast<double>(),
+                  found.planes);
   found.planes_before_merging = planes.planes_before_merging;
   found.used = planes.used;
   if (!found.used.distance_threshold)

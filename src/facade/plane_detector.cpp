@@ -40,6 +40,10 @@ runAndReport (const std::string& class_name, const std::function<void()>& detect
     PCL_ERROR ("[pcl_ops::%s::segment] %s\n", class_name.c_str(), error.what());
     return false;
   }
+  catch (...) { // from functions of the user
+    PCL_ERROR ("[pcl_ops::%s::segment] an unknown exception\n", class_name.c_str());
+    return false;
+  }
 }
 
 } // namespace pcl_ops::detail

@@ -72,9 +72,14 @@ measureNoise (const CloudView& cloud,
               std::size_t points_of_whole)
 {
   detail::throwOn (validate (parameters));
-  return internal::noiseOfCloud (internal::distinctPoints (cloud, parameters.threads),
+  const internal::Points points = internal::distinctPoints (cloud, parameters.threads);
+  // In the whole cloud points that are not finite, and many duplicates, do not count.
+  const double share =
+      cloud.size > 0 ? static_cast<double> (points.size()) / double (cloud.size) : 1.0;
+  return internal::noiseOfCloud (points,
                                  parameters,
-                                 points_of_whole);
+                                 static_cast<std::size_t> (std::round (
+                                     share * static_cast<double> (points_of_whole))));
 }
 
 OrientedPointSamplingParameters
@@ -140,7 +145,7 @@ validate (const OrientedPointSamplingParameters::Surfels& surfels)
   if (!isFiniteAndAtLeast (0.0, surfels.noise_factor))
     return "the noise factor of surfels must be 0 or more";
   if (!(surfels.angle_threshold >= 0.0 &&
-        surfels.angle_threshold <= internal::right_angle))
+        surfels.angle_threshold <= internal::max_right_angle))
     return "the angle threshold of surfels must be between 0 and pi/2 (radians)";
   if (!isFiniteAndAtLeast (0.0, surfels.sure_thickness) ||
       !isFiniteAndAtLeast (0.0, surfels.max_thickness))

@@ -37,24 +37,19 @@ struct Range {
 };
 
 /** Returns the range of the values without the 2 percent at either end, which may be
- * outliers. At most 10,000 of the values, evenly spread, are used. Of two values low is
- * the larger one. */
+ * outliers. Of two values low is the larger one.
+ * \param[in,out] values one at least; reordered */
 Range
-rangeWithoutStrays (const std::vector<float>& values)
+rangeWithoutStrays (std::vector<float>& values)
 {
-  constexpr std::size_t largest_sample = 10000;
   constexpr double stray_share = 0.02;
-  const std::size_t stride = values.size() / largest_sample + 1;
-  std::vector<float> sample;
-  for (std::size_t i = 0; i < values.size(); i += stride)
-    sample.push_back (values[i]);
-  const auto stray =
-      static_cast<std::ptrdiff_t> (std::ceil (stray_share * (sample.size() - 1)));
-  const auto low = sample.begin() + stray;
-  const auto high = sample.end() - 1 - stray;
-  std::nth_element (sample.begin(), low, sample.end());
+  const double last = static_cast<double> (values.size() - 1);
+  const auto stray = static_cast<std::ptrdiff_t> (std::ceil (stray_share * last));
+  const auto low = values.begin() + stray;
+  const auto high = values.end() - 1 - stray;
+  std::nth_element (values.begin(), low, values.end());
   const double lowest = *low;
-  std::nth_element (sample.begin(), high, sample.end());
+  std::nth_element (values.begin(), high, values.end());
   return {lowest, *high};
 }
 
@@ -63,9 +58,14 @@ rangeWithoutStrays (const std::vector<float>& values)
 Eigen::AlignedBox3d
 boxWithoutOutliers (const Coordinates& points)
 {
-  const Range x = rangeWithoutStrays (points.x);
-  const Range y = rangeWithoutStrays (points.y);
-  const Range z = rangeWithoutStrays (points.z);
+  // A sample by the order of the points could miss the surface of every other point.
+  constexpr std::size_t largest_sample = 10000;
+  Coordinates sample = samplePoints (points, largest_sample);
+  if (sample.size() == 0) // of equal points the sample has all or none
+    sample = points;
+  const Range x = rangeWithoutStrays (sample.x);
+  const Range y = rangeWithoutStrays (sample.y);
+  const Range z = rangeWithoutStrays (sample.z);
   const Eigen::Vector3d low (x.low, y.low, z.low);
   const Eigen::Vector3d high (x.high, y.high, z.high);
   const double spread = (high - low).maxCoeff();

@@ -351,7 +351,7 @@ validate (const PlaneEdgeParameters& parameters)
     return "the bridged gap must be a length from 0, or not be given";
   if (!isLengthOrNotGiven (parameters.min_length))
     return "the smallest length must be a length from 0, or not be given";
-  if (!(parameters.min_angle > 0.0 && parameters.min_angle <= right_angle))
+  if (!(parameters.min_angle > 0.0 && parameters.min_angle <= max_right_angle))
     return "the smallest angle must be above 0 and at most pi/2 (radians)";
   return {};
 }

@@ -221,7 +221,8 @@ convexHull (const PlanarPoints& points, double max_outside)
   constexpr std::size_t layers = 16;
   PlanarPoints rim = finiteOf (points); // the points that may still be corners
   const auto all_points = static_cast<double> (rim.size());
-  const auto max_points_outside = static_cast<std::size_t> (max_outside * all_points);
+  const double max_share = max_outside > 0.0 ? std::min (max_outside, 1.0) : 0.0;
+  const auto max_points_outside = static_cast<std::size_t> (max_share * all_points);
   // Points inside the inner hull stay inside, and are not looked at again.
   const PlanarPoints inner_hull = innerHull (rim);
   if (!inner_hull.empty())
@@ -232,7 +233,12 @@ convexHull (const PlanarPoints& points, double max_outside)
     return hullOfAll (rest);
   };
   PlanarPoints hull = hullOfRest();
-  for (std::size_t outside = 0; !hull.empty();) {
+  // A layer has all corners of the hull that are in the rim. If there are more of them
+  // than points that may be outside, as for points on a circle, no layer is removed.
+  const auto mayRemoveLayer = [&] {
+    return !hull.empty() && hull.size() <= max_points_outside + inner_hull.size();
+  };
+  for (std::size_t outside = 0; mayRemoveLayer();) {
     const std::size_t layer_points =
         removeLayer (rim, hull, max_points_outside / layers + 1);
     outside += layer_points;

@@ -98,12 +98,13 @@ validate (const PlaneFilter& filter)
 {
   if (filter.direction && !isDirection (*filter.direction))
     return "the direction must be a finite vector other than zero, or not be given";
-  if (!(filter.direction_tolerance >= 0.0 && filter.direction_tolerance <= right_angle))
+  if (!(filter.direction_tolerance >= 0.0 &&
+        filter.direction_tolerance <= max_right_angle))
     return "the direction tolerance must be between 0 and pi/2 (radians)";
   if (!isDirection (filter.up_axis))
     return "the up axis must be a finite vector other than zero";
   if (filter.slope && !(areBounds ((*filter.slope)[0], (*filter.slope)[1]) &&
-                        (*filter.slope)[1] <= right_angle))
+                        (*filter.slope)[1] <= max_right_angle))
     return "the slope must be two angles between 0 and pi/2 (radians), rising";
   if (!isFiniteAndNotNegative (filter.min_area))
     return "the smallest area must be a number from 0";

@@ -313,7 +313,8 @@ oneToOne (const Frames& frames, const PoseEstimate& estimate)
 std::string
 validate (const PlaneMatchingParameters& parameters)
 {
-  if (!(parameters.rotation_error >= 0.0 && parameters.rotation_error <= right_angle))
+  if (!(parameters.rotation_error >= 0.0 &&
+        parameters.rotation_error <= max_right_angle))
     return "the rotation error must be between 0 and pi/2 (radians)";
   if (!(parameters.translation_error >= 0.0 &&
         std::isfinite (parameters.translation_error)))

@@ -288,7 +288,7 @@ validate (const UpAxisParameters& parameters)
 {
   const auto isShare = [] (double number) { return number >= 0.0 && number <= 1.0; };
   if (!(parameters.angle_tolerance > 0.0 &&
-        parameters.angle_tolerance <= internal::right_angle))
+        parameters.angle_tolerance <= internal::max_right_angle))
     return "the angle tolerance must be above 0 and at most pi/2 (radians)";
   if (!isShare (parameters.min_share))
     return "the least share must be a number from 0 to 1";

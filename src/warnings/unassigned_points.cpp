@@ -27,7 +27,8 @@ searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
 {
   const OpsParameters defaults;
   std::vector<OtherSearch> searches;
-  if (given.distance_threshold) {
+  // OPS on points needs a threshold.
+  if (given.distance_threshold && given.sampling != Sampling::Points) {
     searches.push_back ({given, "leave out " + text.of ("threshold", "")});
     searches.back().parameters.distance_threshold.reset();
   }
@@ -146,7 +147,9 @@ warnOfUnassignedPoints (const CloudView& cloud,
     const std::string rate = numberText (warning_constants.high_sampling_rate);
     OtherSearch finer{given, "give " + text.of ("sampling-rate", rate)};
     finer.parameters.sampling_rate = warning_constants.high_sampling_rate;
-    if (areUnassignedPointsFlat (cloud, planes, finer.parameters))
+    OpsParameters of_parts = finer.parameters;
+    of_parts.min_points = 0; // a part has fewer points than the cloud
+    if (areUnassignedPointsFlat (cloud, planes, of_parts))
       searches.push_back (finer);
   }
   const double share_before = shareOnPlanes (planes, sample.finite_points);

@@ -229,6 +229,10 @@ TEST (MeasureNoise, GivesTheNoiseOfACloudAndRefusesWrongParameters)
   const pcl_ops::CloudNoise noise = pcl_ops::measureNoise (cloud, {}, points_of_whole);
   EXPECT_EQ (noise.points, points_of_whole);
   EXPECT_NEAR (noise.usual, 1_mm, 3e-4);
+  pcl::PointCloud<pcl::PointXYZ> half_of_nan = cloud;
+  half_of_nan.resize (2 * cloud.size(), {NAN, NAN, NAN});
+  EXPECT_EQ (pcl_ops::measureNoise (half_of_nan, {}, 2 * points_of_whole).points,
+             points_of_whole);
   OpsParameters wrong;
   wrong.k = 0;
   EXPECT_THROW (pcl_ops::measureNoise (cloud, wrong), std::invalid_argument);

@@ -685,6 +685,9 @@ TEST (DetectPlanes, ThrowsForAnEmptyCloudAWrongParameterAndABufferThatIsNoCloud)
   EXPECT_THROW (pcl_ops::CloudView (nullptr, 0, stride, number), std::invalid_argument);
   EXPECT_NO_THROW (pcl_ops::CloudView (nullptr, 0, stride, 0)) << "no points";
   constexpr std::size_t too_many_for_indices = std::size_t (1) << 31;
+  pcl_ops::CloudView too_large = points;
+  too_large.size = too_many_for_indices;
+  EXPECT_THROW (detectPlanes (too_large, Parameters()), std::invalid_argument);
   EXPECT_THROW (pcl_ops::CloudView (buffer.data(), 0, 0, too_many_for_indices),
                 std::invalid_argument);
 }

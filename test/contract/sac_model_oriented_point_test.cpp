@@ -121,15 +121,16 @@ TEST (OrientedPointModel, MakesPclsRansacEndAfterTheIterationsThatThePaperSays)
 TEST (OrientedPointModel, IsThePlaneThroughAPointPerpendicularToItsNormal)
 {
   const auto cloud = pcl::make_shared<Cloud>();
-  cloud->push_back ({1, 2, 3, 0, 0, 0});   // no normal
-  cloud->push_back ({1, 2, 3, NAN, 0, 1}); // no finite normal
-  cloud->push_back ({NAN, 2, 3, 0, 0, 1}); // no finite point
-  constexpr pcl::index_t valid = 3;
+  cloud->push_back ({1, 2, 3, 0, 0, 0});     // no normal
+  cloud->push_back ({1, 2, 3, NAN, 0, 1});   // no finite normal
+  cloud->push_back ({NAN, 2, 3, 0, 0, 1});   // no finite point
+  cloud->push_back ({1, 2, 3, 0, 0, 1e20f}); // no finite squared length
+  constexpr pcl::index_t valid = 4;
   cloud->push_back ({1, 2, 3, 0, 0, 2}); // a normal of length 2
   const Model model (cloud);
   Eigen::VectorXf coefficients;
-  for (const pcl::Indices& sample :
-       std::vector<pcl::Indices>{{0}, {1}, {2}, {}, {valid, valid}}) // one is needed
+  for (const pcl::Indices& sample : std::vector<pcl::Indices>{
+           {0}, {1}, {2}, {3}, {}, {valid, valid}}) // one is needed
     EXPECT_FALSE (model.computeModelCoefficients (sample, coefficients));
   ASSERT_TRUE (model.computeModelCoefficients ({valid}, coefficients));
   EXPECT_TRUE (coefficients.isApprox (Eigen::Vector4f (0, 0, 1, -3)));

@@ -104,6 +104,67 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
   EXPECT_EQ (planes[1].inliers, pcl::Indices (floor_begin, floor_begin + on_floor));
 }
 
+TEST (DetectInFinitePoints, TellsBelowAndAboveByTheChosenPointsAlone)
+{
+  // The sensor at zero sees the ceiling and the floor of a room, but not the floors and
+  // ceilings of other stories: it is no sensor of the whole building.
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  const auto addLevel = [&cloud] (float z, int half_width) {
+    for (int x = -half_width; x <= half_width; ++x)
+      for (int y = -half_width; y <= half_width; ++y)
+        cloud.push_back (
+            {0.1f * static_cast<float> (x), 0.1f * static_cast<float> (y), z});
+  };
+  addLevel (1.2f, 40); // 4 m to each side
+  addLevel (-1.5f, 40);
+  const auto of_room = upTo<pcl::Indices> (cloud.size());
+  for (const float z : {-4.5f, -3.0f, 3.0f, 4.5f})
+    addLevel (z, 100);
+  const auto ceilingNormal = [] (const DetectorInput& input) {
+    const auto detect = [] (const Points& points, auto&) {
+      Labels labels;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        labels.push_back (
+            std::abs (points.origin.z() + points.z[i] - 1.2) < 0.1 ? 0 : no_plane);
+      MergingParameters keep_apart;
+      keep_apart.enabled = false;
+      return mergePlanesOf ({labels, momentsOfLabels (points, labels, 1, one_thread)},
+                            keep_apart,
+                            one_thread);
+    };
+    return detectInFinitePoints (input, PlaneDetectorParameters(), detect)
+        .planes.at (0)
+        .normal;
+  };
+  DetectorInput input = inputOf (cloud);
+  EXPECT_NEAR (ceilingNormal (input).z(), 1.0, 1e-9) << "the sensor is not known";
+  input.indices = &of_room;
+  EXPECT_NEAR (ceilingNormal (input).z(), -1.0, 1e-9);
+}
+
+TEST (DetectInFinitePoints, TakesAViewpointOfNaNForAnUnknownOne)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < 100; ++i)
+    cloud.push_back ({static_cast<float> (i % 10), static_cast<float> (i / 10), -1.0f});
+  const auto detect = [] (const Points& points, auto&) {
+    const Labels labels (points.size(), 0);
+    MergingParameters keep_apart;
+    keep_apart.enabled = false;
+    return mergePlanesOf ({labels, momentsOfLabels (points, labels, 1, one_thread)},
+                          keep_apart,
+                          one_thread);
+  };
+  DetectorInput input = inputOf (cloud);
+  for (const double z : {0.0, double (NAN)}) {
+    input.viewpoint.z() = z;
+    const auto planes =
+        detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes;
+    ASSERT_EQ (planes.size(), 1u);
+    EXPECT_NEAR (planes[0].normal.z(), 1.0, 1e-9);
+  }
+}
+
 TEST (MergingOf, TakesTheDistanceThresholdOfTheDetectorWhereMergingHasNone)
 {
   PlaneDetectorParameters parameters;

@@ -91,6 +91,19 @@ TEST (RootCube, HoldsAPointThatIsNotFarAwayAndAnyPointBesideEqualOnes)
   EXPECT_NEAR (rootCubeOf (nearly_all_equal).radius, 5.0, 0.01);
 }
 
+TEST (RootCube, HoldsTwoWallsWhosePointsTakeTurns)
+{
+  RandomGenerator generator (seedOfTest());
+  Coordinates points;
+  for (int i = 0; i < 12000; ++i)
+    points.add (i % 2 == 0 ? 0.0f : 10.0f,
+                static_cast<float> (2.0 * drawUnit (generator)),
+                static_cast<float> (2.0 * drawUnit (generator)));
+  const RootCube root = rootCubeOf (points);
+  EXPECT_TRUE (root.holds ({0.0, 1.0, 1.0}));
+  EXPECT_TRUE (root.holds ({10.0, 1.0, 1.0}));
+}
+
 TEST (RootCube, OfOnePointIsThatPoint)
 {
   Coordinates point;

@@ -182,6 +182,36 @@ TEST (PlaneExtent, OfScatteredPointsIsTheBoardWithNearlyAllOfThem)
     }
 }
 
+TEST (ConvexHull, OfPointsOnACircleHasThemAllAndEndsSoon)
+{
+  // Each point is a corner: in quadratic time this takes a minute.
+  constexpr int number = 100'000;
+  PlanarPoints circle;
+  for (int i = 0; i < number; ++i) {
+    const double angle = 2.0 * pi * i / number;
+    circle.emplace_back (std::cos (angle), std::sin (angle));
+  }
+  EXPECT_NEAR (convexHull (circle).size(), number, 1_percent * number);
+}
+
+TEST (ConvexHull, TakesAShareOutsideThatIsNoneForZero)
+{
+  PlanarPoints square_and_stray = {{50.0, 1.0}};
+  RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 900; ++i)
+    square_and_stray.emplace_back (3.0 * drawUnit (generator),
+                                   3.0 * drawUnit (generator));
+  const auto largestX = [&] (double max_outside) {
+    double largest = 0.0;
+    for (const Eigen::Vector2d& corner : convexHull (square_and_stray, max_outside))
+      largest = std::max (largest, corner.x());
+    return largest;
+  };
+  EXPECT_LT (largestX (0.02), 3.0);
+  for (const double no_share : {0.0, -0.01, double (NAN)})
+    EXPECT_EQ (largestX (no_share), 50.0);
+}
+
 TEST (PlaneExtent, RunsCounterClockwiseSeenFromTheSideOfTheNormal)
 {
   const Cloud grid = gridOf (1_m, 0.6_m);

@@ -382,6 +382,13 @@ TEST (ResultWarnings, DoNotCallTheObserverOfTheSearch)
   EXPECT_EQ (calls, 0);
 }
 
+TEST (ResultWarnings, DoNotLeaveOutTheThresholdThatOpsOnPointsNeeds)
+{
+  ResultContext context;
+  context.search = OrientedPointSamplingParameters::paper();
+  EXPECT_NO_THROW (roomWithThinWall().codes (context));
+}
+
 TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
 {
   LabeledPlaneScene room = roomOfTwoPlanes();

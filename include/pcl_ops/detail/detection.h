@@ -47,8 +47,8 @@ struct DetectorInput {
   std::function<NeighborSearch (const pcl::Indices& finite)> search_over;
 };
 
-/** \brief Returns the first problem of an input: an empty cloud, empty indices, or an
- * index outside the cloud. Empty if the input is valid. */
+/** \brief Returns the first problem of an input: an empty cloud, one of 2^31 points or
+ * more, empty indices, or an index outside the cloud. Empty if the input is valid. */
 PCL_OPS_EXPORT std::string
 validate (const DetectorInput& input);
 

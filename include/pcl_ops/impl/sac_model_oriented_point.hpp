@@ -5,6 +5,8 @@
 #include <pcl_ops/plane.h>
 #include <pcl_ops/sac_model_oriented_point.h>
 
+#include <cmath>
+
 namespace pcl_ops {
 
 template <typename PointNT>
@@ -43,8 +45,9 @@ SampleConsensusModelOrientedPoint<PointNT>::isSampleGood (
     return false;
   const PointNT& point = (*this->input_)[samples.front()];
   const auto normal = point.getNormalVector3fMap();
-  return point.getVector3fMap().allFinite() && normal.allFinite() &&
-         normal.squaredNorm() > 0.0f;
+  const float squared_length = normal.squaredNorm(); // infinite for huge normals
+  return point.getVector3fMap().allFinite() && squared_length > 0.0f &&
+         std::isfinite (squared_length);
 }
 
 template <typename PointNT>
