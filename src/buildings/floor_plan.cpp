@@ -290,7 +290,7 @@ findFacesThatEndRooms (const RoomSides& rooms,
                        std::vector<WallFace>& faces)
 {
   for (WallFace& face : faces) {
-    const PlanPlane& plane = planes[face.planes.front()];
+    const PlanPlane& plane = planes[face.firstPlane()];
     const auto is_over_furniture = [height_of_cut] (const Vector3d& point) {
       const double over_cut = point.z() - height_of_cut;
       return over_cut > constants.half_band_of_cloud &&

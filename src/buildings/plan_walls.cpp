@@ -204,7 +204,9 @@ toWalls (const std::vector<WallFace>& faces,
     wall.thickness = thicknessOf (span, faces, spans);
     for (const Interval& gap : span.openings)
       wall.openings.push_back (openingOf (face, gap, floor, height_of_cut));
-    wall.planes = face.planes;
+    for (const auto& [plane, extent] : face.extent_of_plane)
+      if (extent.from < span.whole.to && extent.to > span.whole.from)
+        wall.planes.push_back (plane);
     walls.push_back (std::move (wall));
   }
   return walls;

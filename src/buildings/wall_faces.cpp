@@ -85,7 +85,8 @@ addPart (WallFace& face, const WallFace& part)
   for (const FacePoint& point : part.points)
     face.points.push_back ({point.position + shift, point.height});
   face.ends_rooms = face.ends_rooms && part.ends_rooms;
-  face.planes.insert (face.planes.end(), part.planes.begin(), part.planes.end());
+  for (const auto& [plane, extent] : part.extent_of_plane)
+    face.extent_of_plane[plane] = onLine (face.line, part, {extent}).front();
 }
 
 /** \brief Returns the squares that have points of a face.
@@ -212,7 +213,6 @@ faceOf (const Eigen::Vector3d& normal,
         double height_of_cut)
 {
   WallFace face;
-  face.planes = {plane_index};
   const Eigen::Vector2d front = normal.head<2>().normalized();
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector3d& point : points)
@@ -233,6 +233,9 @@ faceOf (const Eigen::Vector3d& normal,
   }
   face.seen = intervalsOf (seen, maxClosedGap (face));
   face.at_cut = intervalsOf (at_cut, maxClosedGap (face));
+  face.extent_of_plane[plane_index] =
+      face.seen.empty() ? Interval{0.0, 0.0}
+                        : Interval{face.seen.front().from, face.seen.back().to};
   return face;
 }
 
@@ -242,7 +245,7 @@ joinFaces (std::vector<WallFace> faces)
   // Larger faces come first, so that smaller ones are added to them.
   std::sort (faces.begin(), faces.end(), [] (const WallFace& a, const WallFace& b) {
     return a.points.size() != b.points.size() ? a.points.size() > b.points.size()
-                                              : a.planes < b.planes;
+                                              : a.firstPlane() < b.firstPlane();
   });
   std::vector<WallFace> joined;
   for (WallFace& face : faces) {
@@ -257,10 +260,8 @@ joinFaces (std::vector<WallFace> faces)
     else
       addPart (*larger, face);
   }
-  for (WallFace& face : joined)
-    std::sort (face.planes.begin(), face.planes.end());
   std::sort (joined.begin(), joined.end(), [] (const WallFace& a, const WallFace& b) {
-    return a.planes < b.planes;
+    return a.firstPlane() < b.firstPlane();
   });
   return joined;
 }

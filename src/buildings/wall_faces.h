@@ -8,6 +8,7 @@
 #include <pcl_ops/plane.h>
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace pcl_ops::internal::buildings {
@@ -66,8 +67,15 @@ struct WallFace {
    * furniture hides it at the cut; otherwise it may be a lintel over an open passage.
    * \ref faceOf leaves it false. */
   bool ends_rooms = false;
-  /** \brief Indices of its planes in the list of planes, ascending. */
-  std::vector<std::size_t> planes;
+  /** \brief Its planes, one at least. Key: index in the list of planes. Value: the
+   * interval of the line from the first to the last point of the plane. */
+  std::map<std::size_t, Interval> extent_of_plane;
+
+  std::size_t
+  firstPlane () const
+  {
+    return extent_of_plane.begin()->first;
+  }
 };
 
 /** \brief Returns the face of one wall plane.

@@ -48,6 +48,21 @@ TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
   EXPECT_NEAR (plan.height, 1.2_m, 1_mm);
 }
 
+TEST (FloorPlan, HasWallsWithTheirOwnPlanesAlone)
+{
+  // Two rooms 7 m apart, whose walls are on the same lines.
+  Building building;
+  for (const double x : {0.0, 10.0}) {
+    building.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 3, 3});
+    building.wall ({x, 0}, {x + 3, 0}).wall ({x + 3, 0}, {x + 3, 3});
+    building.wall ({x + 3, 3}, {x, 3}).wall ({x, 3}, {x, 0});
+  }
+  const FloorPlan plan = building.plan();
+  ASSERT_EQ (plan.walls.size(), 8u);
+  for (const PlanWall& wall : plan.walls)
+    EXPECT_EQ (wall.planes.size(), 1u);
+}
+
 TEST (FloorPlan, HasTheHeightOfACorridorApartFromThatOfTheLargerRoomInsideIt)
 {
   // A corridor 1 m wide around a core of 8 m x 8 m, whose floor is 20 cm higher.
