@@ -107,8 +107,9 @@ detectInFinitePoints (const DetectorInput& input,
   // looks for equal points again.
   const Points points =
       distinctPoints (input.cloud, parameters.threads, input.indices, step);
-  LabeledPlanes planes =
-      points.size() > 0 ? detect (points, found.durations) : LabeledPlanes();
+  LabeledPlanes planes;
+  if (points.size() > 0)
+    planes = detect (points, found.durations);
   if (!points.copies.empty())
     addCopies (points, planes);
   found.planes = toSegments (points, planes, viewpoint);

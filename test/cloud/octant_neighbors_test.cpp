@@ -23,7 +23,7 @@ pointsInAStrip (int number)
 }
 
 /** \brief Index of the nearest point in an octant around a position, found by brute
- * force; no_neighbor if there is none.
+ * force; no_neighbor if there is none. Of equally near points it is the first one.
  * \param[in] left_out indices of points that are no neighbors */
 std::uint32_t
 nearestIn (std::size_t octant,
@@ -40,6 +40,20 @@ nearestIn (std::size_t octant,
       nearest = i;
   }
   return nearest;
+}
+
+/** \brief Fails unless the tree finds the same neighbors of each point as brute force.
+ */
+void
+expectNeighborsAsByBruteForce (const PlanarPoints& points)
+{
+  const OctantTree tree (points);
+  for (std::uint32_t point = 0; point < points.size(); ++point) {
+    const OctantNeighbors neighbors = tree.neighborsOf (point);
+    for (std::size_t octant = 0; octant < octants; ++octant)
+      EXPECT_EQ (neighbors.points[octant],
+                 nearestIn (octant, points[point], {point}, points));
+  }
 }
 
 } // namespace
@@ -62,14 +76,7 @@ TEST (OctantOf, DiffersByFourForOppositeDirections)
 
 TEST (OctantTree, FindsTheNearestPointInEachOctant)
 {
-  const PlanarPoints points = pointsInAStrip (500);
-  const OctantTree tree (points);
-  for (std::uint32_t point = 0; point < points.size(); ++point) {
-    const OctantNeighbors neighbors = tree.neighborsOf (point);
-    for (std::size_t octant = 0; octant < octants; ++octant)
-      EXPECT_EQ (neighbors.points[octant],
-                 nearestIn (octant, points[point], {point}, points));
-  }
+  expectNeighborsAsByBruteForce (pointsInAStrip (500));
 }
 
 TEST (OctantTree, TakesThePointWithTheLowestIndexWherePointsAreEquallyFar)
@@ -82,13 +89,7 @@ TEST (OctantTree, TakesThePointWithTheLowestIndexWherePointsAreEquallyFar)
       if (drawUnit (generator) < 0.2)
         points.emplace_back (x, y);
   std::reverse (points.begin(), points.end());
-  const OctantTree tree (points);
-  for (std::uint32_t point = 0; point < points.size(); ++point) {
-    const OctantNeighbors neighbors = tree.neighborsOf (point);
-    for (std::size_t octant = 0; octant < octants; ++octant)
-      EXPECT_EQ (neighbors.points[octant],
-                 nearestIn (octant, points[point], {point}, points));
-  }
+  expectNeighborsAsByBruteForce (points);
 }
 
 TEST (OctantTree, HasEachPointInOneGroup)
