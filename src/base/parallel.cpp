@@ -42,7 +42,7 @@ struct Workers {
   void
   serve ()
   {
-    constexpr int polls_before_sleep = 200;
+    constexpr int polls_before_sleep = 200; // chosen by hand, changes only the time
     while (true) {
       for (int idle_polls = 0; idle_polls < polls_before_sleep; ++idle_polls) {
         if (tasks.poll_one() != 0)
@@ -89,7 +89,8 @@ public:
   }
 
   /** \brief Calls \ref doPieces with a first piece of its own. Each of \p helpers
-   * threads calls this function once, beside the thread that called parallelFor. */
+   * threads calls this function once, beside the thread that called parallelFor, which
+   * begins at piece 0: the first pieces of all threads are evenly spread. */
   void
   help (std::size_t helpers)
   {
@@ -141,6 +142,7 @@ std::size_t
 availableProcessors ()
 {
 #ifdef __linux__
+  // The processors that this process may use: taskset and containers limit them.
   cpu_set_t processors;
   if (sched_getaffinity (0, sizeof (processors), &processors) == 0)
     return static_cast<std::size_t> (CPU_COUNT (&processors));
@@ -196,7 +198,7 @@ parallelFor (unsigned threads,
   // Shared ownership: a helper may start after all pieces are done and this call has
   // returned. So the call never waits for a thread that gets no processor.
   const auto pieces = std::make_shared<Pieces> (size, piece_size, body);
-  constexpr std::size_t max_threads = 256; // more only cost time
+  constexpr std::size_t max_threads = 256; // chosen by hand, however many are asked for
   const std::size_t wanted_threads = threads ? threads : availableProcessors();
   // The calling thread does pieces, too.
   const std::size_t helpers =

@@ -30,7 +30,8 @@ sortByDigit (unsigned threads,
              Item* sorted)
 {
   constexpr std::size_t digits = 1 << bits_of_digit; // number of values of a digit
-  constexpr std::size_t items_per_piece = 1 << 15;   // many more than there are digits
+  // Many more than there are digits: the counters of a piece cost little per item.
+  constexpr std::size_t items_per_piece = 1 << 15;
   const auto digitOf = [&] (const Item& item) {
     return static_cast<std::size_t> (keyOf (item) >> lowest_bit & (digits - 1));
   };

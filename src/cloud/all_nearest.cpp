@@ -91,7 +91,8 @@ private:
 
 /** \brief Finds the nearest neighbors of the points of leaves, one leaf at a time. The
  * reach of a point is the distance to the farthest of its neighbors [m]. A position is
- * an index into PointTree::order. */
+ * an index into PointTree::order. The numbers in this class were chosen by hand; they
+ * change the time, not the neighbors. */
 class LeafSearch {
 public:
   LeafSearch (const PointTree& tree, std::size_t neighbors, Indices& nearest)
@@ -141,9 +142,7 @@ private:
     // True if points of the previous leaf were equal or so close that squares
     // underflow.
     const bool is_too_small = !(reach * reach > 0.0F);
-    if (is_too_small)
-      return leaf.reach;
-    return std::min (leaf.reach, reach);
+    return is_too_small ? leaf.reach : std::min (leaf.reach, reach);
   }
 
   // Largest number of shared candidates of a leaf. A sparse leaf beside a dense region
@@ -266,7 +265,8 @@ private:
   const PointTree& tree_;
   const std::size_t neighbors_;
   Indices& nearest_;
-  float mean_reach_ = std::numeric_limits<float>::infinity(); // in the previous leaf
+  /** \brief In the previous leaf [m]; infinite before the first one. */
+  float mean_reach_ = std::numeric_limits<float>::infinity();
   Indices unfinished_; // positions of the points of the leaf that have no neighbors yet
   // Buffers, members only to reuse their memory.
   PointTree::Ranges ranges_;
@@ -283,15 +283,17 @@ private:
 Indices
 findAllNearest (const PointTree& tree, std::size_t neighbors, unsigned threads)
 {
-  constexpr std::size_t leaves_at_once = 512;
+  constexpr std::size_t leaves_per_piece = 512; // chosen by hand, changes only the time
   Indices nearest (tree.order().size() * neighbors);
   const std::vector<PointTree::Leaf> leaves = tree.leaves (neighbors + 1);
-  parallelFor (
-      threads, leaves.size(), leaves_at_once, [&] (std::size_t begin, std::size_t end) {
-        LeafSearch search (tree, neighbors, nearest);
-        for (std::size_t leaf = begin; leaf < end; ++leaf)
-          search.find (leaves[leaf]);
-      });
+  parallelFor (threads,
+               leaves.size(),
+               leaves_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 LeafSearch search (tree, neighbors, nearest);
+                 for (std::size_t leaf = begin; leaf < end; ++leaf)
+                   search.find (leaves[leaf]);
+               });
   return nearest;
 }
 

@@ -24,7 +24,7 @@ using SquaredDistances = Eigen::Array<float, BoxTree::max_children, 1>;
 SquaredDistances
 squaredDistances (const Node& node, const Eigen::Vector3f& position)
 {
-  const auto squared_distances_along = [&] (Eigen::Index axis) {
+  const auto squaredDistancesAlong = [&] (Eigen::Index axis) {
     const float coordinate = position[axis];
     return (node.low.col (axis) - coordinate)
         .max (coordinate - node.high.col (axis))
@@ -32,8 +32,8 @@ squaredDistances (const Node& node, const Eigen::Vector3f& position)
         .square()
         .eval();
   };
-  return squared_distances_along (0) + squared_distances_along (1) +
-         squared_distances_along (2);
+  return squaredDistancesAlong (0) + squaredDistancesAlong (1) +
+         squaredDistancesAlong (2);
 }
 
 // Adds the points of a leaf to the candidates.
@@ -63,10 +63,10 @@ visitLeaf (const Child& leaf,
 
 /** \brief Stack of children still to be visited, the next one on top. The upper bits of
  * an entry are those of the squared distance of the child, so that entries sort by it.
- * The lower child_bits are the index of the child's node times max_children, plus the
- * index of the child in that node. */
+ * The lower bits_of_child bits are the index of the child's node times max_children,
+ * plus the index of the child in that node. */
 struct PostponedChildren {
-  static constexpr int child_bits = 32;
+  static constexpr int bits_of_child = 32;
   // A division puts at most 3/4 of the points on a side, and 2^32 (3/4)^78 < 1: a tree
   // over 2^32 points has at most 78 divisions, of which a level of nodes makes three.
   static constexpr std::size_t max_levels = 78 / 3;
@@ -91,7 +91,7 @@ postponeChildren (const std::vector<Node>& nodes,
         NearestCandidates::bitsOf (squared_distances[i]);
     if (!candidates.mayTake (distance_bits, node.lowest_index[i]))
       continue;
-    const std::uint64_t entry = distance_bits << PostponedChildren::child_bits |
+    const std::uint64_t entry = distance_bits << PostponedChildren::bits_of_child |
                                 (node_index * BoxTree::max_children + i);
     std::size_t slot = postponed.size++;
     for (; slot > first_slot && postponed.entries[slot - 1] < entry; --slot)
@@ -130,8 +130,9 @@ struct Range {
 };
 
 // Divides points at the middle of the longest edge of their box, which makes compact
-// boxes; at the median if one half would get less than a quarter of the points.
-// Reorders the points, and returns the first one of the second half.
+// boxes; at the median if one half would get less than a quarter of the points, so that
+// the tree is not deep. Reorders the points, and returns the first one of the second
+// half.
 IndexedPoint*
 divide (const Range& points)
 {
@@ -242,7 +243,7 @@ BoxTree::find (const NeighborQuery& query,
     const auto node_and_child = static_cast<std::uint32_t> (entry);
     const Node& node = nodes_[node_and_child / max_children];
     const std::size_t child_index = node_and_child % max_children;
-    if (!candidates.mayTake (entry >> PostponedChildren::child_bits,
+    if (!candidates.mayTake (entry >> PostponedChildren::bits_of_child,
                              node.lowest_index[child_index]))
       continue;
     const Child& child = node.children[child_index];

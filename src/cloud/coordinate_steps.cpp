@@ -20,12 +20,12 @@ struct SmallestDifference {
 
 // Differences are equal if they differ by at most this share of the smaller one. They
 // do differ, because coordinates far from zero are rounded again to single precision.
-constexpr double tolerance = 0.1;
+constexpr double tolerance = 0.1; // chosen by hand
 
 SmallestDifference
 smallestDifference (const std::vector<float>& coordinates)
 {
-  constexpr std::size_t max_values = 16384; // enough to find a step
+  constexpr std::size_t max_values = 16384; // limits the time, chosen by hand
   const std::size_t stride = coordinates.size() / max_values + 1;
   std::vector<float> values;
   for (std::size_t i = 0; i < coordinates.size(); i += stride)
@@ -51,7 +51,7 @@ coordinateSteps (const Coordinates& points)
 {
   // The smallest difference of coordinates that were not rounded occurs once; a step
   // occurs often.
-  constexpr std::size_t min_occurrences = 12;
+  constexpr std::size_t min_occurrences = 12; // chosen by hand
   const std::array<SmallestDifference, 3> smallest = {smallestDifference (points.x),
                                                       smallestDifference (points.y),
                                                       smallestDifference (points.z)};

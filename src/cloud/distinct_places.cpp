@@ -34,20 +34,21 @@ addPlacesOfCell (const Coordinates& points,
 }
 
 // Returns the edge of the cells of the curve [m]: so large that no coordinate is
-// farther from zero than key_limit / 2 cells; 1 if that edge or its inverse is out of
-// the range of single precision.
+// farther from zero than key_limit / 2 cells. It is 1 if that edge is too small for
+// single precision: then no coordinate is farther from zero than 2e-33, and points are
+// told apart in any cell.
 double
 edgeOfCells (const Coordinates& points)
 {
-  constexpr double max_cells_from_zero = key_limit / 2; // half of what a key can hold
+  // Half of what a key can hold, chosen by hand. Only the order of the places depends
+  // on it.
+  constexpr double max_cells_from_zero = key_limit / 2;
   float largest = 0.0F;
   for (const std::vector<float>* axis : {&points.x, &points.y, &points.z})
     for (const float coordinate : *axis)
       largest = std::max (largest, std::abs (coordinate));
   const double edge = largest / max_cells_from_zero;
-  const bool is_in_range = std::isnormal (static_cast<float> (edge)) &&
-                           std::isnormal (static_cast<float> (1.0 / edge));
-  return is_in_range ? edge : 1.0;
+  return std::isnormal (static_cast<float> (edge)) ? edge : 1.0;
 }
 
 } // namespace

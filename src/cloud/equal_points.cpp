@@ -102,9 +102,9 @@ struct SortedByPlace {
       keys.push_back (static_cast<Key> (hash) << bits_of_index | i);
     });
     std::vector<Key> spare (keys.size());
-    const auto hash_of_key = [] (Key key) { return hashOf (key); };
+    const auto hashOfKey = [] (Key key) { return hashOf (key); };
     const Key* const sorted =
-        radixSort (threads, keys.data(), keys.size(), spare.data(), hash_of_key);
+        radixSort (threads, keys.data(), keys.size(), spare.data(), hashOfKey);
     if (sorted == spare.data())
       keys.swap (spare);
     sortWithinHashes();
@@ -171,7 +171,7 @@ statisticsOf (const SortedByPlace& sorted)
   // than max_mean_counts times the mean number of points per place: no place of a cloud
   // that repeats all its points equally often has so many. And they alone add more than
   // max_added_to_mean to the mean, over all points, of the number of points at their
-  // place.
+  // place. Both limits were chosen by hand.
   constexpr double max_mean_counts = 16.0;
   constexpr double max_added_to_mean = 0.25;
   const std::size_t size = sorted.keys.size();
@@ -203,7 +203,8 @@ firstAtPlace (const Coordinates& points, unsigned threads)
 {
   // Smallest means, over points, of the number of points at their place, at which equal
   // points matter. The mean is 1 if all points are distinct; min_estimate is more than
-  // 4 standard deviations of the estimate above that.
+  // 4 standard deviations of the estimate above that. A fifth of the readings in pairs
+  // gives min_mean_of_readings, chosen by hand.
   constexpr double min_estimate = 1.1;
   constexpr double min_mean_of_readings = 1.2;
   if (estimatedPointsPerPlace (points) < min_estimate)

@@ -13,18 +13,19 @@ struct VoxelKey {
   std::int32_t x = 0, y = 0, z = 0;
 };
 
-/** \brief The interleaved bits of a voxel's coordinates: z, y, x from the highest bit
- * on, 60 bits in all. Sorted by code, voxels inside the same larger voxel follow each
- * other. The code divided by 8 is that of the enclosing voxel of twice the edge. */
+/** \brief The interleaved bits of a voxel's coordinates plus \ref key_offset: z, y, x
+ * from the highest bit on, 20 bits of each. Sorted by code, voxels inside the same
+ * larger voxel follow each other. The code divided by 8 is that of the enclosing voxel
+ * of twice the edge. */
 using MortonCode = std::uint64_t;
 
 /** \brief Largest absolute value of a key: a coordinate of \ref VoxelKey [voxels]. */
 constexpr std::int32_t key_limit = 1 << 18;
 
-/** \brief Added to a key to make it positive. It is a multiple of 1024, so that voxels
- * of up to 1024 times the edge have a border at coordinate 0, too. Its higher bits
- * alternate, so that the keys just below 0 and those just above 0 share their upper
- * bits: a radix sort skips digits that all codes share. */
+/** \brief Added to a key to make it positive; the sum is below 2^20. It is a multiple
+ * of 1024, so that voxels of up to 1024 times the edge have a border at coordinate 0,
+ * too. Its higher bits alternate, so that the keys just below 0 and those just above 0
+ * share their upper bits: a radix sort skips the upper digits that all codes share. */
 constexpr std::int32_t key_offset = 0x55400;
 
 /** \brief Computes keys along one axis: coordinates [m] in voxels, rounded down and

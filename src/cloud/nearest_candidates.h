@@ -32,7 +32,7 @@ public:
   NearestCandidates (std::size_t wanted, float squared_radius)
   : wanted_ (wanted)
   , shrink_at_ (wanted + std::max (wanted / 2, min_excess))
-  , limit_ (keyOf (bitsOf (squared_radius), 0) + (Key (1) << index_bits))
+  , limit_ (keyOf (bitsOf (squared_radius), 0) + (Key (1) << bits_of_index))
   , keys_ (std::min (initial_room, shrink_at_))
   {}
 
@@ -78,8 +78,9 @@ public:
     indices.resize (count_);
     squared_distances.resize (count_);
     for (std::size_t i = 0; i < count_; ++i) {
-      indices[i] = static_cast<pcl::index_t> (keys_[i] & ((Key (1) << index_bits) - 1));
-      const auto distance_bits = static_cast<std::uint32_t> (keys_[i] >> index_bits);
+      indices[i] =
+          static_cast<pcl::index_t> (keys_[i] & ((Key (1) << bits_of_index) - 1));
+      const auto distance_bits = static_cast<std::uint32_t> (keys_[i] >> bits_of_index);
       std::memcpy (&squared_distances[i], &distance_bits, sizeof (distance_bits));
     }
   }
@@ -87,18 +88,20 @@ public:
 private:
   /** \brief Bits of the squared distance above those of the index: sorts by both. */
   using Key = std::uint64_t;
-  static constexpr int index_bits = 32;
+  static constexpr int bits_of_index = 32;
   /** \brief Points collected beyond the wanted number before some are dropped: half of
-   * that number, but at least this many. */
+   * that number, but at least this many. Both were chosen by hand and change only the
+   * time, as does \ref initial_room. */
   static constexpr std::size_t min_excess = 16;
   /** \brief Number of keys for which memory is reserved at first. */
   static constexpr std::size_t initial_room = 128;
-  static_assert (sizeof (pcl::index_t) * 8 <= index_bits, "an index fits into a key");
+  static_assert (sizeof (pcl::index_t) * 8 <= bits_of_index,
+                 "an index fits into a key");
 
   static Key
   keyOf (std::uint64_t distance_bits, pcl::index_t index)
   {
-    return distance_bits << index_bits | static_cast<Key> (index);
+    return distance_bits << bits_of_index | static_cast<Key> (index);
   }
 
   // Drops all but the nearest wanted_ points.

@@ -55,8 +55,8 @@ public:
     OctantNeighbors neighbors;
   };
 
-  /** \brief Divides the points into groups. The groups depend on the coordinates alone,
-   * not on the order of the points.
+  /** \brief Divides the points into groups. Which points are a group depends on the
+   * coordinates alone; the order of the points may change the last digit of its center.
    * \param[in] threads largest number of threads; 0: one for each processor */
   std::vector<Group>
   groups (unsigned threads) const;

@@ -13,7 +13,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-constexpr std::uint32_t max_points_of_tree_leaf = 8;
+constexpr std::uint32_t max_points_of_tree_leaf = 8; // chosen by hand, for the time
 
 const std::vector<float>&
 axisOf (const Coordinates& points, int axis)
@@ -81,7 +81,8 @@ PointTree::PointTree (const Coordinates& points, unsigned threads)
 , order_ (points.size())
 {
   // First the top of the tree is divided, until it has so many subtrees that threads
-  // can share them. Then the subtrees are divided in parallel.
+  // can share them: more threads than subtrees do not help. Then the subtrees are
+  // divided in parallel.
   constexpr std::size_t subtrees = 16;
   constexpr std::size_t roots_per_piece = 1;
   std::iota (order_.begin(), order_.end(), 0U);
@@ -167,7 +168,7 @@ void
 PointTree::find (std::size_t position, NearestPoints& nearest) const
 {
   // The open nodes are a stack of nodes to visit: at most one for each depth of the
-  // tree, and one more. 64 suffice for 2^32 points.
+  // tree, and one more. Each depth halves the points: 64 suffice for 2^32 points.
   constexpr std::size_t max_open = 64;
   struct OpenNode {
     float squared_distance;

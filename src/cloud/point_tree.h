@@ -16,6 +16,8 @@ namespace pcl_ops::internal {
  * points at equal distance it keeps those with the lowest indices. */
 class NearestPoints {
 public:
+  /** \brief Chosen by hand: three times the largest usual neighborhood
+   * (PlaceConstants::max_neighborhood) and more. */
   static constexpr std::size_t max_size = 128;
 
   /** \brief Forgets all points.

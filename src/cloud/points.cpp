@@ -85,6 +85,7 @@ constexpr std::uint32_t leading_bits = 0x807ff800;
 
 // Hashes points: pseudorandom numbers that depend on the coordinates of a point, not on
 // its index.
+// \param[in] used_bits of each coordinate: all_bits or leading_bits
 PCL_OPS_VECTORIZED void
 computeHashes (const float* x,
                const float* y,
@@ -109,6 +110,7 @@ computeHashes (const float* x,
 
 // Returns the indices of at most about as many of the finite points as wanted: those
 // with the smallest hashes.
+// \param[in] used_bits as of computeHashes
 Indices
 indicesByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_bits)
 {
@@ -140,7 +142,8 @@ sampleByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_
 
 // Returns the median along each axis, rounded to a multiple of a step. The step is a
 // power of two, 16 to 32 times the largest median absolute deviation of the three axes:
-// other samples of the same cloud nearly always give the same result.
+// other samples of the same cloud nearly always give the same result. A larger step
+// would move the origin farther away from the points.
 Eigen::Vector3d
 roundedMedian (Coordinates points)
 {
@@ -183,7 +186,7 @@ withoutDuplicates (const Coordinates& points)
 Eigen::Vector3d
 medianOfSample (const Coordinates& points)
 {
-  constexpr std::size_t wanted = 100;
+  constexpr std::size_t wanted = 100; // chosen by hand: roundedMedian needs no more
   Coordinates sample = sampleByHash (points, wanted, all_bits);
   // The sample may be empty: of equal points the hash takes none or all. Then take all.
   if (sample.size() == 0)
@@ -208,7 +211,7 @@ copyPoints (const ChosenPoints& chosen, unsigned threads, Points& points)
 bool
 moveToOrigin (unsigned threads, Points& points)
 {
-  constexpr std::size_t points_per_piece = 8192;
+  constexpr std::size_t points_per_piece = 8192; // chosen by hand, for the time
   const Eigen::Vector3f origin = points.origin.cast<float>();
   std::atomic<bool> all_finite (true);
   const auto move = [&] (std::size_t begin, std::size_t end) {

@@ -21,7 +21,7 @@ struct VoxelGrid {
   /** \brief Indices of all points, voxel by voxel; both grids of \ref VoxelLevels share
    * it. */
   std::shared_ptr<const Indices> order;
-  /** \brief For each voxel the position in \ref order where its points begin. */
+  /** \brief For each voxel the index in \ref order where its points begin. */
   Indices first_point;
   /** \brief Moments of each voxel's points about the zero of their frame. */
   std::vector<Moments> moments;

@@ -16,9 +16,11 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-constexpr std::size_t parents_per_piece = 256;
+constexpr std::size_t parents_per_piece = 256; // chosen by hand, changes only the time
 
-// Bit sets of blocks of voxels, as VoxelNeighbors::occupied: bit x + 4 y + 16 z.
+// Bit sets of 3 x 3 x 3 blocks of voxels, as VoxelNeighbors::occupied: bit x + 4 y +
+// 16 z. They are spaced as in 4 x 4 x 4 cells, so that a shift moves a block there: see
+// writeNeighbors.
 constexpr std::uint64_t row_of_block = 0x7;
 constexpr std::uint64_t layer_of_block =
     row_of_block | row_of_block << 4 | row_of_block << 8;
@@ -180,7 +182,7 @@ neighborsBelow (const std::vector<MortonCode>& codes,
             const std::uint32_t* const own_begin = next;
             next = writeNeighbors (
                 children, octantInParent (codes[i]), around.occupied[i], next);
-            // The number of neighbors; the sums below make it the position.
+            // The number of neighbors; the sums below make it an index.
             around.begin[i + 1] = static_cast<std::uint32_t> (next - own_begin);
           }
         }

@@ -22,8 +22,8 @@ struct VoxelNeighbors {
   /** \brief Indices of the neighbors, voxel by voxel; those of a voxel in the order of
    * their bits in \ref occupied. */
   std::vector<std::uint32_t> neighbors;
-  /** \brief For each voxel the position in \ref neighbors where its neighbors begin;
-   * then the size of \ref neighbors. */
+  /** \brief For each voxel the index in \ref neighbors where its neighbors begin; then
+   * the size of \ref neighbors. */
   std::vector<std::uint32_t> begin = {0};
   /** \brief For each voxel a bit set: bit x + 4 y + 16 z is set if there is a neighbor
    * at (x, y, z) in the block, each coordinate 0 to 2; (1, 1, 1) is the voxel itself.

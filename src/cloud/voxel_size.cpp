@@ -32,7 +32,7 @@ countOccupied (const Coordinates& points, double voxel_size)
 Coordinates
 withoutOutliers (const Coordinates& points)
 {
-  constexpr double medians_to_outlier = 32.0;
+  constexpr double medians_to_outlier = 32.0; // chosen by hand
   std::vector<float> distances;
   distances.reserve (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -61,10 +61,11 @@ roundNumber (double size)
 double
 voxelSizeFor (const Coordinates& points, double wanted_voxels)
 {
-  constexpr std::size_t sample_size = 8192;
+  constexpr std::size_t sample_size = 8192; // limits the time
   // About ten sampled points per voxel: hardly any occupied voxel has no sampled point.
   constexpr double max_counted_voxels = 800.0;
-  // The voxel size that is tried first is the diagonal of the bounding box over this.
+  // The voxel size that is tried first is the diagonal of the bounding box over this
+  // number, chosen by hand: further tries correct it.
   constexpr double voxels_along_diagonal = 25.0;
   const Coordinates sample = withoutOutliers (samplePoints (points, sample_size));
   if (sample.size() == 0)
@@ -75,10 +76,11 @@ voxelSizeFor (const Coordinates& points, double wanted_voxels)
   double voxel_size = box.diagonal().norm() / voxels_along_diagonal;
   if (!(voxel_size > 0.0 && std::isfinite (voxel_size)))
     return 0.0;
-  constexpr int max_tries = 8;
+  constexpr int max_tries = 8; // of points on no surface the number may not converge
   double counted = countOccupied (sample, voxel_size);
   for (int i = 0; i < max_tries; ++i) {
     const double ratio = counted / std::min (max_counted_voxels, wanted_voxels);
+    // The extrapolation below corrects the rest.
     const bool is_near_enough = ratio > 0.5 && ratio < 2.0;
     if (is_near_enough)
       break;

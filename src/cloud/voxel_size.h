@@ -7,7 +7,7 @@
 namespace pcl_ops::internal {
 
 /** \brief Rounds a size above 0 to the nearest of 1, 1.1, ... 2, 2.25, ... 5, 6, ... 10
- * times a power of ten.
+ * times a power of ten, which are 5 to 20 % apart.
  *
  * An estimated size changes a little if the same cloud is given in other units or with
  * other rounding. A rounded size mostly does not, and so the borders of voxels do not
