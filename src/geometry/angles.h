@@ -7,8 +7,9 @@ namespace pcl_ops::internal {
 constexpr double pi = 3.14159265358979323846;
 /** \brief 90 degrees [rad]. */
 constexpr double right_angle = pi / 2.0;
-/** \brief The largest angle that parameters may have [rad]: pcl::deg2rad (90) is 5e-8
- * above \ref right_angle. */
+/** \brief The largest angle that parameters may have [rad]. It is above \ref
+ * right_angle because of rounded values: pcl::deg2rad (90) in single precision is 5e-8
+ * above it. */
 constexpr double max_right_angle = right_angle + 1e-6;
 
 } // namespace pcl_ops::internal

@@ -16,15 +16,18 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/** \brief A unit direction, and the cell of a cube map that contains it. */
+// Numbers in this file for which no reason is given were chosen by hand.
+
+/** \brief A unit direction, and the cell of a cube map that contains it: a cube around
+ * the position whose six faces are divided into cells. */
 struct Direction {
   std::uint32_t cell;
   Vector3f unit;
 };
 
-// The faces of the cube are divided into cells of 0.4 degrees, a few angular steps of a
-// sensor. A face has some 236 x 236 cells, and has indices for cells_of_side x
-// cells_of_side cells.
+// The cells are 0.4 degrees wide, a few angular steps of a sensor. So a face, which is
+// a right angle wide, has 236 x 236 cells. It has indices for cells_of_side x
+// cells_of_side cells, of which a power of two above 236 is enough.
 constexpr double cells_per_radian = 150.0;
 constexpr std::uint32_t cells_of_side = 512;
 
@@ -57,7 +60,8 @@ isBefore (const Direction& a, const Direction& b)
 }
 
 /** \brief Returns a hash, 0 to 65535, of the part of the view that an offset points to.
- * Parts are some 4 degrees wide. */
+ * Parts are some 4 degrees wide, many angular steps of a sensor: a sample of parts
+ * keeps the neighbors of most directions in it, unlike a sample of points. */
 std::uint32_t
 partOf (const Vector3d& offset)
 {
@@ -66,7 +70,8 @@ partOf (const Vector3d& offset)
   Eigen::Index axis = 0;
   const double depth = offset.cwiseAbs().maxCoeff (&axis);
   const Vector3d part = (offset / depth * parts_per_half_side).array().round();
-  // Coordinates are -16 to 16, so that each part has a number of its own.
+  // Coordinates are -16 to 16 and the factors 1, 100 and 10000, so that each part has a
+  // number of its own.
   const auto number = static_cast<std::uint32_t> (
       static_cast<std::int32_t> (part.x() + 100.0 * part.y() + 10000.0 * part.z()));
   return number * hash_factor >> 16;
@@ -78,8 +83,10 @@ partOf (const Vector3d& offset)
 std::vector<Direction>
 directionsOf (const Coordinates& points, const Vector3d& position)
 {
-  constexpr float same_direction = 1e-5f; // largest angle [rad]
-  constexpr std::size_t wanted_points = 30000;
+  // Largest angle between equal directions [rad]: far above the rounding of unit
+  // vectors (1e-7), far below the steps of a sensor (1e-3).
+  constexpr float same_direction = 1e-5f;
+  constexpr std::size_t wanted_points = 30000; // limits the time
   // About one part of this many is used.
   const auto parts_per_used =
       static_cast<std::uint32_t> (points.size() / wanted_points + 1);
@@ -94,15 +101,15 @@ directionsOf (const Coordinates& points, const Vector3d& position)
     directions.push_back ({cellOf (offset), offset.normalized().cast<float>()});
   }
   std::sort (directions.begin(), directions.end(), isBefore);
-  const auto are_same = [] (const Direction& a, const Direction& b) {
+  const auto areSame = [] (const Direction& a, const Direction& b) {
     return a.cell == b.cell &&
            (a.unit - b.unit).squaredNorm() < same_direction * same_direction;
   };
   // If many directions are equal, coordinates were rounded to a coarse grid: then steps
-  // are even at any position.
+  // are even seen from any position, and tell nothing.
   constexpr std::size_t max_points_per_direction = 4;
   const std::size_t points_in_parts = directions.size();
-  directions.erase (std::unique (directions.begin(), directions.end(), are_same),
+  directions.erase (std::unique (directions.begin(), directions.end(), areSame),
                     directions.end());
   if (max_points_per_direction * directions.size() < points_in_parts)
     directions.clear();
@@ -117,7 +124,7 @@ directionsOf (const Coordinates& points, const Vector3d& position)
 std::optional<float>
 stepAt (const std::vector<Direction>& directions, const Direction& from)
 {
-  constexpr std::ptrdiff_t max_in_three_cells = 1200;
+  constexpr std::ptrdiff_t max_in_three_cells = 1200; // limits the time, too
   // The angle is nearly the distance of the unit vectors.
   float least_squared_distance = std::numeric_limits<float>::infinity();
   for (const std::uint32_t middle_cell :
@@ -173,7 +180,7 @@ commonestSteps (const std::vector<float>& steps)
 double
 shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& position)
 {
-  constexpr std::size_t max_sampled = 4000;
+  constexpr std::size_t max_sampled = 4000; // limits the time
   constexpr std::size_t min_steps = 100;
   const std::vector<Direction> directions = directionsOf (points, position);
   const std::size_t stride = directions.size() / max_sampled + 1;
@@ -188,6 +195,7 @@ shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& position)
   std::sort (steps.begin(), steps.end());
   const StepGroup commonest = commonestSteps (steps);
   const auto begin = steps.begin() + static_cast<std::ptrdiff_t> (commonest.first);
+  // Without them the second commonest steps are the commonest ones of the rest.
   steps.erase (begin, begin + static_cast<std::ptrdiff_t> (commonest.size));
   const StepGroup second_commonest = commonestSteps (steps);
   return static_cast<double> (commonest.size + second_commonest.size) / all_steps;

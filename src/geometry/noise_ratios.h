@@ -6,6 +6,8 @@
 
 namespace pcl_ops::internal {
 
+// Both ratios were chosen by hand: src/doc/constants.csv has the accuracy with others.
+
 /** \brief Largest ratio of two noises that count as alike, as of one surface. */
 inline constexpr double like_noise_ratio = 1.5;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/inliers.h"
 #include "geometry/planar_area.h"
+#include "geometry/plane_statistics.h"
 #include <pcl_ops/plane.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <utility>
 
 namespace pcl_ops {
+using namespace internal;
 namespace {
 
 using Eigen::Matrix3d;
@@ -26,9 +28,7 @@ using BlockSums = std::map<Block, Vector3d>;
  * than the range of correlated sensor errors. */
 constexpr double blocks_per_side = 8.0;
 
-// Number of parameters that a plane fit estimates: two tilts and an offset.
-constexpr double fitted_parameters = 3.0;
-
+// Adds up the inliers of each block.
 // \param[in] axes of the plane, PlaneCovariance::axes
 // \param[in] side of a block [m]
 BlockSums
@@ -65,16 +65,16 @@ std::optional<PlaneCovariance>
 independentPlaneCovariance (const PlaneSegment& plane)
 {
   const double n = plane.moments.count;
-  if (n < fitted_parameters + 1.0 || !fitPlane (plane.moments))
+  if (n < parameters_of_plane + 1.0 || !fitPlane (plane.moments))
     return std::nullopt;
   PlaneCovariance covariance;
-  covariance.axes = internal::planeAxes (plane.normal);
+  covariance.axes = planeAxes (plane.normal);
   // The upper left part of A^T A / n, with A of the description of
   // independentPlaneCovariance. The coordinates s and t start at the centroid, so that
   // their means are 0.
   const Eigen::Matrix2d spread = spreadOf (plane, covariance.axes);
   const double rms = plane.rms();
-  const double residual_variance = rms * rms * n / (n - fitted_parameters);
+  const double residual_variance = rms * rms * n / (n - parameters_of_plane);
   covariance.matrix.setZero();
   covariance.matrix.topLeftCorner<2, 2>() = residual_variance / n * spread.inverse();
   covariance.matrix (2, 2) = residual_variance / n;
@@ -84,21 +84,21 @@ independentPlaneCovariance (const PlaneSegment& plane)
 std::optional<PlaneCovariance>
 planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
 {
-  internal::checkInliers (cloud, plane);
+  checkInliers (cloud, plane);
   std::optional<PlaneCovariance> covariance = independentPlaneCovariance (plane);
   if (!covariance)
     return std::nullopt;
   const double n = plane.moments.count;
   const Eigen::Matrix2d spread = spreadOf (plane, covariance->axes);
-  // A rectangle of evenly spread points with this covariance has the area 12 sqrt
-  // (det).
-  const double area = 12.0 * std::sqrt (std::max (0.0, spread.determinant()));
+  // The area of a rectangle of evenly spread points with this covariance.
+  const double area =
+      squared_width_of_variance * std::sqrt (std::max (0.0, spread.determinant()));
   if (!(area > 0.0))
     return std::nullopt;
   const BlockSums sums =
       blockSums (cloud, plane, covariance->axes, std::sqrt (area) / blocks_per_side);
   const auto block_count = static_cast<double> (sums.size());
-  if (block_count < fitted_parameters + 1.0)
+  if (block_count < parameters_of_plane + 1.0)
     return std::nullopt;
   Matrix3d sum_of_products = Matrix3d::Zero();
   for (const auto& [block, sum] : sums)
@@ -106,11 +106,11 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   // (A^T A)^-1 of the description of planeCovariance.
   Matrix3d inverse = Matrix3d::Identity() / n;
   inverse.topLeftCorner<2, 2>() = spread.inverse() / n;
-  // True errors over estimated ones, measured on planes of depth images that were
-  // matched by exact poses: f of the description of planeCovariance.
+  // f of the description of planeCovariance: true errors over estimated ones, measured
+  // on planes of simulated depth images that were matched by exact poses.
   constexpr double measured_factor = 1.7;
   covariance->matrix = measured_factor * measured_factor * block_count /
-                       (block_count - fitted_parameters) * inverse * sum_of_products *
+                       (block_count - parameters_of_plane) * inverse * sum_of_products *
                        inverse;
   return covariance;
 }

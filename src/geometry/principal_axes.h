@@ -12,8 +12,8 @@ namespace pcl_ops::internal {
  * semi-definite matrix: all that a plane fit needs of a covariance. */
 struct PrincipalAxes {
   /** \brief Unit eigenvector of the smallest eigenvalue, with either sign; zero if the
-   * two smallest eigenvalues are equal to within rounding: then it has many unit
-   * eigenvectors. */
+   * two smallest eigenvalues are equal to within rounding: then unit eigenvectors of
+   * many directions exist. */
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /** \brief Ascending eigenvalues, none below 0. */
   Eigen::Vector3d values = Eigen::Vector3d::Zero();

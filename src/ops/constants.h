@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "geometry/plane_statistics.h"
+
 #include <cmath>
 
 namespace pcl_ops::internal {
@@ -45,7 +47,7 @@ struct PlaceConstants {
    * and it is no line. It is a line if the middle one of its three variances is at most
    * min_slimness times the largest one. Scatter and width are \ref Support::scatter and
    * \ref Support::width. */
-  double max_thickness = 0.17 / 3.0;
+  double max_thickness = 0.17 / 3.0; // .057
   double min_slimness = 0.02;
 
   // The noise of places.
@@ -144,7 +146,8 @@ struct PlaceConstants {
    * of its places. At least max_exact_thickness times its width is allowed. */
   double max_noises_of_plane = 12.0;
   /** \brief RegionEvidence::sum: the constant term, and the weight of each member. The
-   * bend counts by its natural logarithm. */
+   * bend counts by its natural logarithm. The weights were fitted to labeled clouds for
+   * an earlier detector; src/doc/decisions.md says why they stay. */
   double evidence_constant = -1.94;
   double evidence_of_size = 4.62;
   double evidence_of_bend = -2.42;
@@ -166,13 +169,6 @@ struct PlaceConstants {
 /** \brief Values made of these are const, not constexpr: scripts/ablate takes the
  * constants from the environment. */
 inline constexpr PlaceConstants place_constants;
-
-/** \brief A uniform distribution over a width has width^2 = 12 variance. */
-inline constexpr double squared_width_of_variance = 12.0;
-
-/** \brief Number of coefficients that the fit of a plane estimates: the distances of n
- * points to their fitted plane have only n - 3 degrees of freedom. */
-inline constexpr double parameters_of_plane = 3.0;
 
 /** \brief Added to a noise or scatter [m], so that its logarithm, or a quotient by it,
  * is finite for exact points. */
