@@ -15,7 +15,8 @@ namespace {
 
 using Terms = Eigen::Matrix<double, 6, 1>;
 
-// Numbers of terms of the flat fit and of the curved fit.
+// Numbers of terms of the flat fit and of the curved fit. Further ones are of second
+// order.
 constexpr int terms_of_flat = 3;   // 1, u, v
 constexpr int terms_of_curved = 6; // and u^2, u v, v^2
 
@@ -108,7 +109,8 @@ Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
 {
   Bending bending;
-  constexpr std::size_t min_voxels = 8; // two more than terms_of_curved
+  // Two more than terms_of_curved: so many terms explain fewer voxels by chance.
+  constexpr std::size_t min_voxels = 8;
   if (voxels.size() < min_voxels)
     return bending;
   const PatchAxes axes = axesOf (momentsOf (grid.moments, voxels), fit.plane);
@@ -137,6 +139,7 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
 bool
 isCurved (const Bending& bending)
 {
+  // Chosen by hand; src/doc/constants.csv has F without each of them.
   constexpr double smallest_explained = 0.4;
   constexpr double smallest_slope = 0.01; // of amplitude over half extent
   return bending.explained_share > smallest_explained &&

@@ -13,8 +13,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Large, so that there are few chunks: each chunk has a list of moments of all planes.
-constexpr std::size_t voxels_per_chunk = 4096;
+// Large, so that there are few pieces: each piece has a list of moments of all planes.
+constexpr std::size_t voxels_per_piece = 4096;
 
 // The input of the assignment, and the labels that it writes.
 struct Assignment {
@@ -105,8 +105,8 @@ assignToBoundedPlanes (const Coordinates& points,
       bandsOf (planes, smallestNoise (grid), largest_distance, noise_factor);
   const Assignment assignment{
       points, grid, planes, bands, distance_threshold.has_value(), assigned.labels};
-  const std::vector<std::vector<Moments>> moments_of_chunks = parallelPieces (
-      threads, grid.size(), voxels_per_chunk, [&] (std::size_t begin, std::size_t end) {
+  const std::vector<std::vector<Moments>> moments_of_pieces = parallelPieces (
+      threads, grid.size(), voxels_per_piece, [&] (std::size_t begin, std::size_t end) {
         std::vector<Moments> moments (planes.size());
         Labels around;
         for (std::size_t voxel = begin; voxel < end; ++voxel)
@@ -118,7 +118,7 @@ assignToBoundedPlanes (const Coordinates& points,
         return moments;
       });
   assigned.moments.resize (planes.size());
-  for (const std::vector<Moments>& moments : moments_of_chunks)
+  for (const std::vector<Moments>& moments : moments_of_pieces)
     for (std::size_t p = 0; p < moments.size(); ++p)
       assigned.moments[p].addAligned (moments[p]);
 }

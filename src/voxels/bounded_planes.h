@@ -46,11 +46,12 @@ void
 renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes);
 
 /** \brief Fewest points of a voxel that measure noise by their rms distance to a plane
- * fitted to these points alone. */
+ * fitted to these points alone. Chosen by hand; src/doc/constants.csv has F with 4. */
 inline constexpr double min_points_of_noise = 16.0;
 
-/** \brief Lower bound of the noise measured in a grid [m]. Limits in units of the noise
- * would be 0 for exact points. */
+/** \brief Lower bound of the noise measured in a grid [m]. Without it, limits in units
+ * of the noise would be 0 for exact points. The share was chosen by hand;
+ * src/doc/constants.csv has F with 1e-4. */
 inline double
 smallestNoise (const VoxelGrid& grid)
 {

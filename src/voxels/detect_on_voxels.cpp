@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -26,7 +27,7 @@ using Parameters = OrientedPointSamplingParameters;
 // Limits for the number of points in a voxel and its neighbors, by the parameter k:
 // with k / neighborhood_factor points or more they have a normal, as small CAD models
 // have no more points there; with fewer than k * neighborhood_factor the voxel is
-// sparse.
+// sparse. Chosen by hand; src/doc/constants.csv has F with 1.
 constexpr double neighborhood_factor = 2.0;
 
 VoxelLevels
@@ -126,9 +127,9 @@ assign (const Points& points,
         const Parameters& parameters)
 {
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
-  const auto assign_in = [&] (const VoxelGrid& grid,
-                              const BoundedPlanes& planes_of_grid,
-                              const std::vector<char>& is_left_out) {
+  const auto assignIn = [&] (const VoxelGrid& grid,
+                             const BoundedPlanes& planes_of_grid,
+                             const std::vector<char>& is_left_out) {
     assignToBoundedPlanes (points,
                            grid,
                            planes_of_grid,
@@ -138,8 +139,8 @@ assign (const Points& points,
                            is_left_out,
                            assigned);
   };
-  assign_in (voxels.coarse, planes, finer.is_refined);
-  assign_in (finer.grid, finer.planes, {});
+  assignIn (voxels.coarse, planes, finer.is_refined);
+  assignIn (finer.grid, finer.planes, {});
   return assigned;
 }
 
@@ -166,7 +167,7 @@ usualDistanceLimit (const BoundedPlanes& planes,
   }
   if (limits.empty())
     return {};
-  const auto middle = limits.begin() + static_cast<long> (limits.size() / 2);
+  const auto middle = limits.begin() + static_cast<std::ptrdiff_t> (limits.size() / 2);
   std::nth_element (limits.begin(), middle, limits.end());
   return *middle;
 }
@@ -221,20 +222,22 @@ labelSparsePoints (const Points& points,
   const VoxelGrid& grid = voxels.coarse;
   const Indices sparse = sparseVoxels (grid, neighborhood_factor * parameters.k);
   // Called again below, when detectAmong has labeled some of these points.
-  const auto open_points = [&] { return openPoints (grid, sparse, assigned.labels); };
-  const Indices indices = sparsePoints (open_points(), points.size());
+  const auto openSparsePoints = [&] {
+    return openPoints (grid, sparse, assigned.labels);
+  };
+  const Indices indices = sparsePoints (openSparsePoints(), points.size());
   if (!indices.empty())
     detectAmong (points, indices, parameters, durations, assigned);
   extendPlanes (points,
                 grid,
-                open_points(),
+                openSparsePoints(),
                 parameters.surfels.resolutions,
                 parameters.distance_threshold,
                 assigned);
 }
 
-// The stages of OPS on voxels, one after the other. The paper (Sun & Mordohai 2019) has
-// the symbols P, P_s, n_i, Pi and theta_h, and section III-C.
+// The stages of OPS on voxels, one after the other. P is the cloud; it, P_s, n_i, Pi,
+// theta_h and section III-C are those of the paper (Sun & Mordohai 2019).
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,
@@ -243,7 +246,7 @@ labelPoints (const Points& points,
 {
   const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
-  // P_s, the samples: the voxels of a grid
+  // The samples, P_s, are the voxels of a grid.
   const VoxelLevels voxels = divideIntoVoxels (points, parameters);
   const VoxelGrid& grid = voxels.coarse;
   if (grid.size() == 0)
@@ -252,21 +255,22 @@ labelPoints (const Points& points,
   BoundedPlanes planes;
   planes.plane_of_voxel.assign (grid.size(), no_plane);
   clock.lap (durations.search);
-  // n_i, the normals: from the moments around; Pi, the planes: grown over voxels
+  // The normals, n_i, come from the moments of voxels and their neighbors. The planes,
+  // Pi, grow over voxels.
   findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock(); // findPlanes has added its own time
-  // points that no plane explains, again, in voxels of half the edge; finer.planes
-  // begins with the planes found so far, and findPlanes appends new ones
+  // Points that no plane explains are searched again, in voxels of half the edge.
+  // finer.planes begins with the planes found so far; findPlanes appends new ones.
   Refinement finer = refine (voxels, planes, parameters.threads);
   clock.lap (durations.search);
   findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
   clock = StageClock();
   tally.planes_before_merging = finer.planes.size();
-  // section III-C, by the noise of the planes instead of theta_h
+  // Section III-C, by the noise of the planes instead of theta_h.
   joinPlanes (grid, parameters, planes, finer);
   tally.used.distance_threshold = usualDistanceLimit (planes, finer, parameters);
   clock.lap (durations.merging);
-  // assigns every point of P to a plane
+  // Each point of P gets a plane or none.
   AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
   clock.lap (durations.assignment);
   labelSparsePoints (points, voxels, parameters, durations, assigned);

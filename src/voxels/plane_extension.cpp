@@ -3,6 +3,7 @@
 #include "voxels/plane_extension.h"
 
 #include "geometry/noise_ratios.h"
+#include "geometry/plane_statistics.h"
 #include "voxels/bounded_planes.h"
 #include "voxels/plane_bands.h"
 
@@ -24,12 +25,10 @@ bandsOf (const std::vector<Moments>& moments_of_planes,
          double smallest_noise,
          double largest_distance)
 {
-  // The width of an evenly covered strip is sqrt (12) standard deviations.
-  constexpr double squared_width_by_variance = 12.0;
   std::vector<PlaneBand> bands (moments_of_planes.size());
   for (std::size_t p = 0; p < bands.size(); ++p) {
     const std::optional<PlaneFit> fit = fitPlane (moments_of_planes[p]);
-    if (!fit || squared_width_by_variance * fit->variances[1] < voxel_size * voxel_size)
+    if (!fit || squared_width_of_variance * fit->variances[1] < voxel_size * voxel_size)
       continue;
     const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
     bands[p] = PlaneBand (

@@ -10,7 +10,8 @@ namespace pcl_ops::internal {
 
 /** \brief Largest rms distance of a voxel's points to the plane that takes the voxel,
  * in units of the plane's noise. Voxels at the border of a plane have a larger rms
- * distance if many of their points are on a second surface. */
+ * distance if many of their points are on a second surface. Chosen by hand;
+ * src/doc/constants.csv has F with 5. */
 constexpr double max_voxel_rms_in_noises = 3.0;
 
 /** \brief Grows planes voxel by voxel until no voxel without a plane fits the plane of

@@ -11,11 +11,13 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Marks voxels without a plane that have enough points for one, and their neighbors, so
-// that all finer voxels have neighbors. The neighbors of a voxel include itself.
+// Marks voxels without a plane that have enough points for finer voxels, and their
+// neighbors, so that all finer voxels have neighbors. The neighbors of a voxel include
+// itself.
 std::vector<char>
 voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_voxel)
 {
+  // Chosen by hand: a point for each finer voxel. src/doc/constants.csv has F with 1.
   constexpr double min_points = 8.0;
   std::vector<char> is_refined (grid.size(), 0);
   forEach (threads, grid.size(), [&] (std::size_t i) {

@@ -3,6 +3,7 @@
 #include "voxels/sparse_points.h"
 
 #include "geometry/noise_ratios.h"
+#include "geometry/plane_statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@ namespace pcl_ops::internal {
 namespace {
 
 // Sparse points are not searched if fewer than one in this many points is sparse.
+// Chosen by hand; src/doc/constants.csv has F if they always are.
 constexpr std::size_t least_one_in = 100;
 
 // Number of points in a voxel and around it: the neighbors include the voxel itself.
@@ -32,12 +34,12 @@ pointsAround (const VoxelGrid& grid, std::size_t voxel)
 bool
 isMist (const Moments& moments, double squared_noise)
 {
-  constexpr double scatter_in_spacings = 0.25; // the least of a mist
+  constexpr double scatter_in_spacings = 0.25; // the least of a mist, chosen by hand
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)
     return false;
-  // The edge of an evenly covered square is sqrt (12) standard deviations.
-  const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
+  const double area =
+      squared_width_of_variance * std::sqrt (fit->variances[1] * fit->variances[2]);
   const double largest_variance =
       std::max (other_noise_ratio * other_noise_ratio * squared_noise,
                 scatter_in_spacings * scatter_in_spacings * area / moments.count);
@@ -91,7 +93,8 @@ openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels)
 Indices
 sparsePoints (const std::vector<OpenPoint>& open, std::size_t cloud_size)
 {
-  constexpr std::size_t most_one_in = 2; // at most every second point
+  // At most every second point, so that the recursion of detectAmong ends.
+  constexpr std::size_t most_one_in = 2;
   const bool are_few = open.size() * least_one_in < cloud_size;
   const bool are_many = open.size() * most_one_in > cloud_size;
   Indices sparse;

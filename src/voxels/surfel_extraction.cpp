@@ -59,7 +59,7 @@ struct SurfelSpread {
   SurfelPatch
   growFrom (std::uint32_t seed)
   {
-    constexpr std::size_t voxels_of_first_fit = 4;
+    constexpr std::size_t voxels_of_first_fit = 4; // chosen by hand, as is the half
     std::size_t next_fit = voxels_of_first_fit;
     ++seed_number;
     Plane plane = surfels[seed]->plane;
@@ -157,10 +157,10 @@ seedsByThickness (const Surfels& surfels, const std::vector<char>& is_open)
   for (std::uint32_t voxel = 0; voxel < surfels.size(); ++voxel)
     if (is_open[voxel] != 0)
       seeds.push_back (voxel);
-  const auto is_thinner = [&] (std::uint32_t one, std::uint32_t other) {
+  const auto isThinner = [&] (std::uint32_t one, std::uint32_t other) {
     return surfels[one]->thickness < surfels[other]->thickness;
   };
-  std::stable_sort (seeds.begin(), seeds.end(), is_thinner);
+  std::stable_sort (seeds.begin(), seeds.end(), isThinner);
   return seeds;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "geometry/noise_ratios.h"
+#include "geometry/plane_statistics.h"
 #include "geometry/principal_axes.h"
 #include "voxels/bounded_planes.h"
 
@@ -17,7 +18,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// \param[in] axes of the covariance: their ascending values are the variances along the
+// Returns the surfel of the points around a voxel.
+// \param[in] axes of their covariance: its ascending values are the variances along the
 // normal, the narrow and the long direction [m^2]
 Surfel
 surfelOfNeighborhood (const Moments& surroundings, const PrincipalAxes& axes)
@@ -28,7 +30,8 @@ surfelOfNeighborhood (const Moments& surroundings, const PrincipalAxes& axes)
 }
 
 // Thickness below which a neighborhood is flat. For a voxel that fits its plane, no
-// other neighborhood is looked at.
+// other neighborhood is looked at. Chosen by hand; src/doc/constants.csv has F if none
+// counts as flat.
 constexpr double flat_thickness = 0.2;
 
 // The voxels of one resolution, and the planes of their neighborhoods.
@@ -59,13 +62,11 @@ struct GridLevel {
 };
 
 // Whether points cover a surface, by the axes of their covariance: if they are narrower
-// than a voxel, they form a line, which lies in planes of many directions.
+// than a voxel, they form a line, which lies on planes of many directions.
 bool
 isSurface (const PrincipalAxes& axes, double voxel_size)
 {
-  // The width of an evenly covered strip is sqrt (12) standard deviations.
-  constexpr double squared_width_by_variance = 12.0;
-  return squared_width_by_variance * axes.values[1] >= voxel_size * voxel_size;
+  return squared_width_of_variance * axes.values[1] >= voxel_size * voxel_size;
 }
 
 // Finds the surfels of the voxels begin to end - 1.
@@ -110,8 +111,8 @@ findLevelSurfels (const std::vector<Moments>& moments,
                   GridLevel& level)
 {
   // So few that the buffers of findSurfelsAmong stay in the processor's first cache.
-  constexpr std::size_t voxels_at_once = 128;
-  parallelFor (threads, level.size, voxels_at_once, [&] (auto begin, auto end) {
+  constexpr std::size_t voxels_per_piece = 128;
+  parallelFor (threads, level.size, voxels_per_piece, [&] (auto begin, auto end) {
     findSurfelsAmong (moments, min_points, begin, end, level);
   });
   forEach (threads, level.size, [&] (std::size_t i) {
@@ -227,10 +228,9 @@ hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise
   if (voxel.count < min_points_of_noise ||
       surfel.noise <= other_noise_ratio * smallest_noise)
     return false;
-  // A plane fits three points exactly: n - 3 degrees of freedom measure the noise.
   const double largest_variance = surfel.noise * surfel.noise /
                                   (other_noise_ratio * other_noise_ratio) *
-                                  (voxel.count - 3.0) / voxel.count;
+                                  (voxel.count - parameters_of_plane) / voxel.count;
   // Positive definite exactly if all eigenvalues of the covariance, the variances of
   // the points along their axes, are above this value.
   const Eigen::Matrix3d difference =

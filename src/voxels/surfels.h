@@ -26,11 +26,10 @@ struct Surfel {
  * A neighborhood is 3 x 3 x 3 voxels, at the finest of several resolutions at which it
  * is flat and has enough points; if it is flat at none, at that with the least
  * thickness. So where noise grows with distance, neighborhoods grow as well. Next to an
- * edge, where the
- * neighborhood of a voxel is not flat, the voxel gets the flattest neighborhood of an
- * adjacent voxel whose plane fits its points (the idea of Kuwahara's edge-preserving
- * filter). A voxel gets no surfel if no plane around fits its points, or if its
- * surroundings are far noisier than its own points.
+ * edge, where the neighborhood of a voxel is not flat, the voxel gets the flattest
+ * neighborhood of an adjacent voxel whose plane fits its points (the idea of Kuwahara's
+ * edge-preserving filter). A voxel gets no surfel if no plane around fits its points,
+ * or if its surroundings are far noisier than its own points.
  * \param[in] resolutions number of grids: the given one, and further ones, each with
  * twice the voxel size of the one before
  * \param[in] min_points fewest points of a neighborhood

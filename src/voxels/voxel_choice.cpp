@@ -58,6 +58,7 @@ meanOverPoints (const VoxelGrid& grid)
 // next to no noise, smaller voxels tell more. One size is too large near a lidar and
 // too small far from it: a cloud of uneven density gets the voxels that suit its dense
 // parts, and sparse parts are searched in voxels of their own, see \ref sparsePoints.
+// The numbers were chosen by hand; src/doc/constants.csv has F without most of them.
 double
 voxelSizeByNoise (const VoxelGrid& grid)
 {
@@ -92,6 +93,7 @@ voxelSizeByNoise (const VoxelGrid& grid)
 double
 wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel)
 {
+  // Chosen by hand, as is reference_points.
   constexpr double voxels_per_sample = 2.0 / 3.0;
   // In a cloud of this many points, sampling_rate is the share that would be samples.
   constexpr double reference_points = 300000.0;
@@ -121,12 +123,14 @@ meanPointsPerVoxel (const VoxelGrid& grid)
 VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
 {
+  // Chosen by hand; src/doc/constants.csv has F without it.
   constexpr double min_points_per_voxel = 5.0;
   const double size_by_points = voxelSizeFor (
       points, wantedVoxels (points.size(), sampling_rate, min_points_per_voxel));
   if (!(size_by_points > 0.0))
     return {};
-  // The edge of a coarse voxel is twice that of a finest one, which is 8 steps or more.
+  // The edge of a coarse voxel is twice that of a finest one, which is 8 steps or more:
+  // chosen by hand, as in smaller voxels the steps look like planes.
   constexpr double smallest_in_steps = 2.0 * 8.0;
   const double smallest_size = smallest_in_steps * singlePrecisionStep (points);
   VoxelLevels voxels = coarsen (

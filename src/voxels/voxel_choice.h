@@ -18,7 +18,8 @@ wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_vo
 
 /** \brief Distance from the largest coordinate of the cloud's origin to the next
  * single-precision number [m]: half a meter for northings of UTM. If coordinates were
- * once rounded to single precision, the steps look like planes in voxels no larger. */
+ * once rounded to single precision, these steps look like planes in voxels of about
+ * their size. */
 double
 singlePrecisionStep (const Points& points);
 
@@ -28,6 +29,8 @@ singlePrecisionStep (const Points& points);
 VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads);
 
+/** \brief Number of points per occupied voxel.
+ * \param[in] grid not empty */
 double
 meanPointsPerVoxel (const VoxelGrid& grid);
 
