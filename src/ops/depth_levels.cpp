@@ -22,6 +22,8 @@ namespace {
 // flat, whatever the surface, and have a common normal, the direction of depth. Along
 // it the coordinates of points form narrow groups, the levels. A single wall has one
 // normal, too, but only one level; a CAD model has levels, but several normals.
+//
+// Numbers in this file for which no reason is given were chosen by hand.
 
 // Clouds with fewer points, or fewer full levels, are taken to have no levels.
 constexpr std::size_t min_points = 2000;
@@ -99,7 +101,7 @@ refitNormal (const std::vector<Eigen::Vector3d>& nearest, FlatPatch& patch)
     patch.normal = patchOf (on_plane).normal;
 }
 
-constexpr std::size_t tried_patches = 2000;
+constexpr std::size_t tried_patches = 2000; // limits the time
 
 // Returns the position in PointTree::order of the point of a patch. Neighbors in this
 // order are neighbors in space, so that the patches are spread over the cloud.
@@ -216,8 +218,8 @@ blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direc
 Eigen::Vector3d
 sharpestDirection (const Coordinates& points, Eigen::Vector3d direction)
 {
-  constexpr std::size_t sample_size = 4000;
-  constexpr int max_moves = 8; // by each angle
+  constexpr std::size_t sample_size = 4000; // limits the time, as does max_moves
+  constexpr int max_moves = 8;              // by each angle
   std::vector<Eigen::Vector3d> sample;
   for (std::size_t s = 0; s < sample_size; ++s)
     sample.push_back (points[s * points.size() / sample_size]);
@@ -283,7 +285,8 @@ stepAt (const std::vector<OffsetRange>& levels, std::size_t index)
   std::vector<double> steps;
   for (std::size_t k = first; k < last; ++k)
     steps.push_back (middleOf (levels[k + 1]) - middleOf (levels[k]));
-  // The lower of two middle values: the last level may be a wall far behind the others.
+  // The lower of two middle values: the upper one may be the distance to a wall far
+  // behind the others.
   const std::size_t middle = (steps.size() - 1) / 2;
   std::nth_element (
       steps.begin(), steps.begin() + static_cast<std::ptrdiff_t> (middle), steps.end());

@@ -20,14 +20,11 @@ detectOnPlaces (const Points& points,
                 StageDurations& times)
 {
   const unsigned threads = parameters.threads;
-  LabeledPlanes found;
   StageClock clock;
 
   const DistinctPlaces distinct = distinctPlaces (points, threads);
-  if (distinct.size() < least_places || drawsNothing (parameters, points.size())) {
-    found.labels.assign (points.size(), no_plane);
-    return found;
-  }
+  if (distinct.size() < least_places || drawsNothing (parameters, points.size()))
+    return {Labels (points.size(), no_plane), {}};
   const StageReports report (parameters.on_stage, distinct.of_input);
   const Places places = describePlaces (
       distinct, neighborhoodSizeFor (parameters, distinct.size()), threads);
@@ -54,7 +51,7 @@ detectOnPlaces (const Points& points,
   report (Stage::Planes, regions.of_place, is_plane);
   clock.lap (times.merging);
 
-  found =
+  LabeledPlanes found =
       planesOfRegions (points, distinct, places, noise, regions, is_plane, parameters);
   found.planes_before_merging = regions.list.size();
   clock.lap (times.assignment);

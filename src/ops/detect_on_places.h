@@ -9,7 +9,8 @@ namespace pcl_ops::internal {
 
 /** \brief Detects planes from the neighborhoods of places (distinct points); this is
  * the default. No voxel grid divides space: the planes hardly change if the cloud is
- * moved or rotated, or if some points are missing.
+ * moved or rotated, or if some points are missing. Too few points have no planes and no
+ * stages: see least_places and drawsNothing (place_parameters.h).
  * OrientedPointSamplingParameters::on_stage gets the results of all stages except
  * Stage::Labels, with a value for each of \p points.
  * \param[in,out] times the durations of the stages are added to it */

@@ -73,13 +73,16 @@ measureNoise (const CloudView& cloud,
 {
   detail::throwOn (validate (parameters));
   const internal::Points points = internal::distinctPoints (cloud, parameters.threads);
-  // In the whole cloud points that are not finite, and many duplicates, do not count.
-  const double share =
-      cloud.size > 0 ? static_cast<double> (points.size()) / double (cloud.size) : 1.0;
-  return internal::noiseOfCloud (points,
-                                 parameters,
-                                 static_cast<std::size_t> (std::round (
-                                     share * static_cast<double> (points_of_whole))));
+  // Points that are not finite, and duplicates if there are many, do not count. Their
+  // share in the whole cloud is taken to be that in cloud.
+  const double share_that_counts =
+      cloud.size > 0
+          ? static_cast<double> (points.size()) / static_cast<double> (cloud.size)
+          : 1.0;
+  const double counted_of_whole =
+      std::round (share_that_counts * static_cast<double> (points_of_whole));
+  return internal::noiseOfCloud (
+      points, parameters, static_cast<std::size_t> (counted_of_whole));
 }
 
 OrientedPointSamplingParameters

@@ -94,7 +94,8 @@ growthsOf (const Places& places, const std::vector<int>& settled_level)
 double
 commonErrorsOf (const Places& places, const std::vector<double>& growth)
 {
-  // Below this value of s nearly all points of a support share one error.
+  // Below this value of s, chosen by hand, nearly all points of a support share one
+  // error.
   constexpr double min_variance_share = 0.3;
   for (std::size_t level = 0; level < growth.size(); ++level) {
     const double variance_share = 1.0 / (growth[level] * growth[level]); // s
@@ -136,7 +137,7 @@ smallestNoises (const Places& places,
 std::vector<float>
 smoothed (const Places& places, const std::vector<float>& noise, unsigned threads)
 {
-  constexpr std::size_t neighbors = 8; // in even steps, from the nearest one on
+  constexpr std::size_t neighbors = 8; // in even steps from the nearest; chosen by hand
   std::vector<float> logarithm (noise.size());
   forEach (threads, noise.size(), [&] (std::size_t i) {
     logarithm[i] = std::log (noise[i] + least_noise);
@@ -234,6 +235,7 @@ levelForTwoLayers (const Places& places, std::size_t place)
     offsets.push_back (normal.dot (places.position[places.nearestOf (place)[k]] -
                                    places.position[place]));
   std::sort (offsets.begin(), offsets.end());
+  // One or two points may be apart from the others by chance.
   constexpr std::size_t min_points_of_layer = 3;
   const double unexplained_by_layers =
       1.0 - bestTwoGroups (offsets, min_points_of_layer).explained_share;

@@ -21,7 +21,8 @@ namespace {
 // The arms of a place are the places whose supports are added to its own for the next
 // level: see describePlaces.
 
-// Returns the number of arms of each place. Small neighborhoods have fewer than eight.
+// Returns the number of arms of each place. Neighborhoods of fewer than eight neighbors
+// have fewer arms.
 std::size_t
 armsPerPlace (const Places& places)
 {
@@ -106,7 +107,8 @@ supportOf (const PrincipalAxes& axes, double independent_points)
 std::vector<Support>
 supportsFrom (const PlaceMoments& moments, double independent_points, unsigned threads)
 {
-  constexpr std::size_t supports_per_piece = 64;
+  constexpr std::size_t supports_per_piece =
+      64; // chosen by hand, changes only the time
   std::vector<Support> supports (moments.size());
   const auto computePiece = [&] (std::size_t begin, std::size_t end) {
     std::array<Eigen::Matrix3d, supports_per_piece> covariances;

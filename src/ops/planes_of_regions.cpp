@@ -28,7 +28,7 @@ hasTwin (const Places& places,
          const Eigen::Vector3d& normal,
          const Eigen::Vector3d& steps)
 {
-  constexpr double tolerance = 0.1; // in steps
+  constexpr double tolerance = 0.1; // in steps; chosen by hand
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff (&axis);
   const std::uint32_t* const nearest = places.nearestOf (place);
@@ -55,7 +55,7 @@ roundingSteps (const Coordinates& distinct,
                const Places& places,
                const Regions& regions)
 {
-  constexpr double min_share_of_twins = 0.9;
+  constexpr double min_share_of_twins = 0.9; // chosen by hand: nearly every place
   std::vector<double> step_of_region (regions.list.size(), 0.0);
   const Eigen::Vector3d steps = coordinateSteps (distinct); // along x, y and z [m]
   if (steps.isZero (0.0))
@@ -108,17 +108,17 @@ splitThinWalls (const Coordinates& distinct,
 // Returns for each plane the noises of all items with its label [m].
 // \param[in] labels of the items, places or points
 // \param[in] planes number of planes
-// \param[in] noise_of_item called with the index of an item
+// \param[in] noiseOfItem called with the index of an item
 template <typename NoiseOfItem>
 std::vector<std::vector<float>>
 noisesOfPlanes (const Labels& labels,
                 std::size_t planes,
-                const NoiseOfItem& noise_of_item)
+                const NoiseOfItem& noiseOfItem)
 {
   std::vector<std::vector<float>> noises (planes);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] != no_plane)
-      noises[labels[i]].push_back (noise_of_item (i));
+      noises[labels[i]].push_back (noiseOfItem (i));
   return noises;
 }
 

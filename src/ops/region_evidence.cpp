@@ -16,7 +16,7 @@ namespace pcl_ops::internal {
 namespace {
 
 // The border to a region with fewer places counts as open.
-constexpr std::size_t min_places_of_neighbor = 12;
+constexpr std::size_t min_places_of_neighbor = 12; // chosen by hand
 
 // Returns the places of each region.
 std::vector<Indices>
@@ -108,7 +108,7 @@ struct Border {
 // Whether a link is smooth: a round surface may continue over it from plane own to
 // plane other. The link must run along plane own rather than away from it. The angle
 // between the planes must be neither small, as between pieces of one plane, nor large,
-// as at an edge.
+// as at an edge. The limits were chosen by hand.
 // \param[in] link vector from the place in region own to its neighbor
 bool
 isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& link)
@@ -174,7 +174,8 @@ evidenceOf (double points, double points_of_cloud, double bend, const Border& bo
 double
 RegionEvidence::sum() const
 {
-  constexpr double least_bend = 0.1; // keeps the logarithm finite
+  // Keeps the logarithm finite. Chosen by hand: much smaller bends count alike.
+  constexpr double least_bend = 0.1;
   return place_constants.evidence_constant + place_constants.evidence_of_size * size +
          place_constants.evidence_of_bend * std::log (least_bend + bend) +
          place_constants.evidence_of_smooth_border * smooth_border +

@@ -214,8 +214,8 @@ areNearlyFlat (const Region& own, const Region& other)
 bool
 isPieceOf (const Region& own, const Region& other)
 {
-  // The normal of a region with fewer points is random.
-  constexpr double min_points_of_normal = 24.0;
+  // The normal of a region with fewer points depends much on their noise.
+  constexpr double min_points_of_normal = 24.0; // chosen by hand
   if (own.moments.count < min_points_of_normal)
     return liesOn (own, other);
   const bool is_parallel =
@@ -278,7 +278,7 @@ attractionOverGap (const Region& own,
                    double max_noises)
 {
   // The larger noise of the two regions counts, but at most this many times the smaller
-  // one.
+  // one, so that a noisy region is not joined to a plane far from it. Chosen by hand.
   constexpr double max_noise_ratio = 1.5;
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
@@ -337,7 +337,8 @@ pickOverGaps (const std::vector<std::int32_t>& large,
 std::vector<std::int32_t>
 largeRegions (const Regions& regions)
 {
-  constexpr std::size_t max_regions = 5000; // limits the time to compare all pairs
+  // Limits the time to compare all pairs; chosen by hand.
+  constexpr std::size_t max_regions = 5000;
   std::vector<std::int32_t> large;
   for (std::size_t r = 0; r < regions.list.size(); ++r)
     if (regions.list[r].moments.count >= min_points_of_join)

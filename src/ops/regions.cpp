@@ -13,7 +13,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// A region with fewer points keeps the plane that it has.
+// A region with fewer points keeps the plane that it has: any three points lie on a
+// plane, so the fit to a few more says little. As least_places, chosen by hand.
 constexpr double min_points_of_fit = 6.0;
 
 /** \brief A flat place with its thickness, the scatter over the width. */
@@ -118,7 +119,8 @@ private:
   addAndRefit (std::uint32_t place)
   {
     // The middle variance must be more than this many times the smallest one. Else it
-    // is not clear enough along which axis the region is thin.
+    // is not clear enough along which axis the region is thin. 4: twice as wide as
+    // thick.
     constexpr double min_ratio_of_variances = 4.0;
     add (place);
     const double points = region_.moments.count;
@@ -168,7 +170,7 @@ private:
 
   // The plane of fewer points would tilt because of their noise. points_at_last_try_
   // starts with this number, so that refit_growth allows the first refit at 13 points.
-  static constexpr double min_points_of_refit = 12.0;
+  static constexpr double min_points_of_refit = 12.0; // chosen by hand
   const double min_cosine_ = std::cos (place_constants.max_angle);
   const Places& places_;
   const PlaceNoise& noise_;
