@@ -117,7 +117,7 @@ indicesByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used
   constexpr std::size_t points_at_once = 1024;
   // About one of so many points is taken.
   const auto points_per_taken = static_cast<std::uint32_t> (points.size() / wanted + 1);
-  const std::uint32_t largest_taken_hash =
+  const std::uint32_t max_taken_hash =
       std::numeric_limits<std::uint32_t>::max() / points_per_taken;
   std::array<std::uint32_t, points_at_once> hashes;
   Indices taken;
@@ -128,7 +128,7 @@ indicesByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used
     const float* z = &points.z[begin];
     computeHashes (x, y, z, count, used_bits, hashes.data());
     for (std::size_t i = 0; i < count; ++i)
-      if (hashes[i] <= largest_taken_hash && isFinite (x[i], y[i], z[i]))
+      if (hashes[i] <= max_taken_hash && isFinite (x[i], y[i], z[i]))
         taken.push_back (static_cast<std::uint32_t> (begin + i));
   }
   return taken;

@@ -109,7 +109,7 @@ struct LongestVector {
 inline void
 findNormals (const SymmetricMatrices& m, Axes& axes)
 {
-  constexpr double smallest_norm = 1e-13; // far above the rounding of products, 1e-16
+  constexpr double min_norm = 1e-13; // far above the rounding of products, 1e-16
   for (std::size_t i = 0; i < lanes; ++i) {
     const double x = m.xy[i] * m.yz[i] - m.xz[i] * m.yy[i];
     const double y = m.xz[i] * m.xy[i] - m.xx[i] * m.yz[i];
@@ -122,10 +122,10 @@ findNormals (const SymmetricMatrices& m, Axes& axes)
                  m.zz[i] * m.xx[i] - m.xz[i] * m.xz[i],
                  m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
     const double norm = std::sqrt (normal.squared_length);
-    const double inverse = norm > smallest_norm ? 1.0 / norm : 0.0;
-    axes.x[i] = norm > smallest_norm ? normal.x * inverse : 0.0;
-    axes.y[i] = norm > smallest_norm ? normal.y * inverse : 0.0;
-    axes.z[i] = norm > smallest_norm ? normal.z * inverse : 0.0;
+    const double inverse = norm > min_norm ? 1.0 / norm : 0.0;
+    axes.x[i] = norm > min_norm ? normal.x * inverse : 0.0;
+    axes.y[i] = norm > min_norm ? normal.y * inverse : 0.0;
+    axes.z[i] = norm > min_norm ? normal.z * inverse : 0.0;
   }
 }
 

@@ -23,7 +23,7 @@ detectOnPlaces (const Points& points,
   StageClock clock;
 
   const DistinctPlaces distinct = distinctPlaces (points, threads);
-  if (distinct.size() < least_places || drawsNothing (parameters, points.size()))
+  if (distinct.size() < min_places || drawsNothing (parameters, points.size()))
     return {Labels (points.size(), no_plane), {}};
   const StageReports report (parameters.on_stage, distinct.of_input);
   const Places places = describePlaces (
@@ -64,7 +64,7 @@ noiseOfCloud (const Points& points,
               std::size_t points_of_whole)
 {
   const DistinctPlaces distinct = distinctPlaces (points, parameters.threads);
-  if (distinct.size() < least_places)
+  if (distinct.size() < min_places)
     return {};
   // The size of the whole cloud determines the neighborhoods of its parts:
   // neighborhoodSizeFor reads it from noise_of_whole.

@@ -10,7 +10,7 @@ namespace pcl_ops::internal {
 /** \brief Detects planes from the neighborhoods of places (distinct points); this is
  * the default. No voxel grid divides space: the planes hardly change if the cloud is
  * moved or rotated, or if some points are missing. Too few points have no planes and no
- * stages: see least_places and drawsNothing (place_parameters.h).
+ * stages: see min_places and drawsNothing (place_parameters.h).
  * OrientedPointSamplingParameters::on_stage gets the results of all stages except
  * Stage::Labels, with a value for each of \p points.
  * \param[in,out] times the durations of the stages are added to it */
@@ -23,7 +23,7 @@ detectOnPlaces (const Points& points,
  * \param[in] points all points of the cloud, or all points of some parts of it
  * \param[in] points_of_whole number of points of the cloud if \p points are those of
  * parts; else 0
- * \return CloudNoise::points is 0 for fewer than least_places distinct points */
+ * \return CloudNoise::points is 0 for fewer than min_places distinct points */
 CloudNoise
 noiseOfCloud (const Points& points,
               const OrientedPointSamplingParameters& parameters,

@@ -14,7 +14,7 @@ bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points)
 {
   // Expected number of drawn points. It is below .18, which the default rate of .03
-  // draws on average from a cloud of least_places (6) points.
+  // draws on average from a cloud of min_places (6) points.
   constexpr double min_drawn = 0.1;
   return parameters.sampling_rate * static_cast<double> (points) < min_drawn;
 }

@@ -14,7 +14,7 @@ namespace pcl_ops::internal {
 /** \brief In clouds with fewer places no planes are detected. Planes with fewer places
  * are not checked for their thickness. Any three points lie on a plane, so the scatter
  * of a few more says little about noise. */
-inline constexpr std::size_t least_places = 6;
+inline constexpr std::size_t min_places = 6;
 
 /** \brief Whether the sampling rate alpha_s would draw hardly any of \p points points:
  * then no planes are detected. */

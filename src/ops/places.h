@@ -74,10 +74,10 @@ neighborhoodSize (double points, double factor);
  * small neighborhoods). On level 1 they are the farthest places of its neighborhood.
  * From level to level they are about twice as far away. So all levels cost the same,
  * however many points their supports have.
- * \param[in] points six (least_places) or more, all different, in an order that depends
+ * \param[in] points six (min_places) or more, all different, in an order that depends
  * only on their coordinates: so the result does not depend on the order of the cloud
- * \param[in] neighborhood_size points of a neighborhood, its place included; six or more,
- * at most as many as \p points */
+ * \param[in] neighborhood_size points of a neighborhood, its place included; six or
+ * more, at most as many as \p points */
 Places
 describePlaces (const Coordinates& points,
                 std::size_t neighborhood_size,

@@ -141,7 +141,7 @@ dropThickPlanes (const Coordinates& distinct,
         return noise.of_place[place];
       });
   for (std::size_t p = 0; p < is_plane.size(); ++p) {
-    if (is_plane[p] == 0 || moments[p].count < least_places)
+    if (is_plane[p] == 0 || moments[p].count < min_places)
       continue;
     const std::optional<PlaneFit> fit = fitPlane (moments[p]);
     if (!fit)

@@ -14,7 +14,7 @@ namespace pcl_ops::internal {
 namespace {
 
 // A region with fewer points keeps the plane that it has: any three points lie on a
-// plane, so the fit to a few more says little. As least_places, chosen by hand.
+// plane, so the fit to a few more says little. As min_places, chosen by hand.
 constexpr double min_points_of_fit = 6.0;
 
 /** \brief A flat place with its thickness, the scatter over the width. */

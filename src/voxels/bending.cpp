@@ -62,12 +62,12 @@ PatchAxes
 axesOf (const Moments& moments, const Plane& plane)
 {
   // Above 0, as positions along u and v are divided by half extents.
-  constexpr double smallest_variance = 1e-300;
+  constexpr double min_variance = 1e-300;
   // Eigenvalues ascend: along the normal, along v, along u.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (moments.covariance());
   // A rectangle of half extent h has the variance h^2 / 3.
   const Eigen::Vector3d half_extents =
-      std::sqrt (3.0) * axes.eigenvalues().cwiseMax (smallest_variance).cwiseSqrt();
+      std::sqrt (3.0) * axes.eigenvalues().cwiseMax (min_variance).cwiseSqrt();
   const Eigen::Vector3d u = axes.eigenvectors().col (2);
   return {u, plane.normal.cross (u), half_extents[2], half_extents[1]};
 }
@@ -140,10 +140,10 @@ bool
 isCurved (const Bending& bending)
 {
   // Chosen by hand; src/doc/constants.csv has F without each of them.
-  constexpr double smallest_explained = 0.4;
-  constexpr double smallest_slope = 0.01; // of amplitude over half extent
-  return bending.explained_share > smallest_explained &&
-         bending.amplitude > smallest_slope * bending.half_extent;
+  constexpr double min_explained_share = 0.4;
+  constexpr double min_slope = 0.01; // of amplitude over half extent
+  return bending.explained_share > min_explained_share &&
+         bending.amplitude > min_slope * bending.half_extent;
 }
 
 } // namespace pcl_ops::internal

@@ -42,10 +42,10 @@ struct Assignment {
   bool
   isWhollyOn (std::int32_t plane, std::size_t voxel) const
   {
-    const double largest_rms = like_noise_ratio * planes.noise[plane];
+    const double max_rms = like_noise_ratio * planes.noise[plane];
     return !tests_every_point &&
            meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) <
-               largest_rms * largest_rms;
+               max_rms * max_rms;
   }
 
   /** \brief Labels the points of a voxel.
@@ -70,19 +70,19 @@ struct Assignment {
 };
 
 // The band of each plane: as wide as the smaller of noise_factor times its noise and
-// largest_distance [m].
+// max_distance [m].
 std::vector<PlaneBand>
 bandsOf (const BoundedPlanes& planes,
-         double smallest_noise,
-         double largest_distance,
+         double min_noise,
+         double max_distance,
          double noise_factor)
 {
   std::vector<PlaneBand> bands;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     // A plane without voxels in this grid has noise 0.
-    const double noise = std::max (planes.noise[p], smallest_noise);
+    const double noise = std::max (planes.noise[p], min_noise);
     bands.emplace_back (
-        planes.planes[p], noise, std::min (noise_factor * noise, largest_distance));
+        planes.planes[p], noise, std::min (noise_factor * noise, max_distance));
   }
   return bands;
 }
@@ -99,10 +99,10 @@ assignToBoundedPlanes (const Coordinates& points,
                        const std::vector<char>& is_left_out,
                        AssignedPoints& assigned)
 {
-  const double largest_distance =
+  const double max_distance =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   const std::vector<PlaneBand> bands =
-      bandsOf (planes, smallestNoise (grid), largest_distance, noise_factor);
+      bandsOf (planes, minNoise (grid), max_distance, noise_factor);
   const Assignment assignment{
       points, grid, planes, bands, distance_threshold.has_value(), assigned.labels};
   const std::vector<std::vector<Moments>> moments_of_pieces = parallelPieces (

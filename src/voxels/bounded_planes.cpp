@@ -63,11 +63,11 @@ measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
     if (plane_of[voxel] != no_plane)
       mean_squares_of_plane[plane_of[voxel]].push_back (mean_squares[voxel]);
-  planes.noise.resize (planes.size(), smallestNoise (grid));
+  planes.noise.resize (planes.size(), minNoise (grid));
   for (std::size_t p = 0; p < planes.size(); ++p)
     if (!mean_squares_of_plane[p].empty()) {
       const double mean_square = medianOf (mean_squares_of_plane[p]);
-      planes.noise[p] = std::max (std::sqrt (mean_square), smallestNoise (grid));
+      planes.noise[p] = std::max (std::sqrt (mean_square), minNoise (grid));
     }
 }
 

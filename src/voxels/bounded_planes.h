@@ -53,16 +53,16 @@ inline constexpr double min_points_of_noise = 16.0;
  * of the noise would be 0 for exact points. The share was chosen by hand;
  * src/doc/constants.csv has F with 1e-4. */
 inline double
-smallestNoise (const VoxelGrid& grid)
+minNoise (const VoxelGrid& grid)
 {
   constexpr double share_of_voxel_size = 0.03;
   return share_of_voxel_size * grid.voxel_size;
 }
 
 /** \brief Measures the noise of each plane: the median over its voxels of the rms
- * distance of the voxel's points to the plane, at least \ref smallestNoise. A plane
+ * distance of the voxel's points to the plane, at least \ref minNoise. A plane
  * without voxels in this grid keeps its noise; if it has none, it gets
- * \ref smallestNoise. */
+ * \ref minNoise. */
 void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);
 

@@ -160,7 +160,7 @@ usualDistanceLimit (const BoundedPlanes& planes,
   std::vector<double> limits; // of each plane [m]
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const double noise =
-        std::max ({planes.noise[p], finer.planes.noise[p], smallestNoise (finer.grid)});
+        std::max ({planes.noise[p], finer.planes.noise[p], minNoise (finer.grid)});
     const double limit_by_noise = parameters.surfels.assignment_noise_factor * noise;
     limits.push_back (std::min (
         limit_by_noise, parameters.distance_threshold.value_or (limit_by_noise)));

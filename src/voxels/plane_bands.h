@@ -28,10 +28,10 @@ struct PlaneBand {
   PlaneBand() = default;
 
   /** \param[in] noise sigma [m], above 0
-   * \param[in] largest_distance becomes \ref half_width [m] */
-  PlaneBand (const Plane& plane, double noise, double largest_distance)
+   * \param[in] max_distance becomes \ref half_width [m] */
+  PlaneBand (const Plane& plane, double noise, double max_distance)
   : surface (plane)
-  , half_width (static_cast<float> (largest_distance))
+  , half_width (static_cast<float> (max_distance))
   , inverse_variance (static_cast<float> (1.0 / (noise * noise)))
   , log_variance (static_cast<float> (2.0 * std::log (noise)))
   {}

@@ -22,17 +22,17 @@ namespace {
 std::vector<PlaneBand>
 bandsOf (const std::vector<Moments>& moments_of_planes,
          double voxel_size,
-         double smallest_noise,
-         double largest_distance)
+         double min_noise,
+         double max_distance)
 {
   std::vector<PlaneBand> bands (moments_of_planes.size());
   for (std::size_t p = 0; p < bands.size(); ++p) {
     const std::optional<PlaneFit> fit = fitPlane (moments_of_planes[p]);
     if (!fit || squared_width_of_variance * fit->variances[1] < voxel_size * voxel_size)
       continue;
-    const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
+    const double noise = std::max (std::sqrt (fit->variances[0]), min_noise);
     bands[p] = PlaneBand (
-        fit->plane, noise, std::min (like_noise_ratio * noise, largest_distance));
+        fit->plane, noise, std::min (like_noise_ratio * noise, max_distance));
   }
   return bands;
 }
@@ -111,7 +111,7 @@ extendPlanes (const Coordinates& points,
   if (open.empty())
     return;
   Labels& labels = assigned.labels;
-  const double largest_distance =
+  const double max_distance =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   double voxel_size = grid.voxel_size;
   std::vector<Labels> planes; // in each voxel of the level
@@ -121,7 +121,7 @@ extendPlanes (const Coordinates& points,
     const LargerVoxels& larger = grid.larger[level];
     voxel_size *= 2.0;
     const std::vector<PlaneBand> bands =
-        bandsOf (assigned.moments, voxel_size, smallestNoise (grid), largest_distance);
+        bandsOf (assigned.moments, voxel_size, minNoise (grid), max_distance);
     planes = level == 0 ? planesOfPoints (larger, grid, labels)
                         : planesOfSmaller (larger, planes);
     // Replaces the voxel of the level below by that of this level.

@@ -17,7 +17,7 @@ namespace {
 std::int32_t
 bestPlaneAround (const VoxelGrid& grid,
                  const BoundedPlanes& planes,
-                 const std::vector<double>& largest_rms_of_plane,
+                 const std::vector<double>& max_rms_of_plane,
                  std::size_t voxel)
 {
   std::int32_t best = no_plane;
@@ -31,7 +31,7 @@ bestPlaneAround (const VoxelGrid& grid,
     last_plane = plane;
     const double squared_ratio =
         meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) /
-        (largest_rms_of_plane[plane] * largest_rms_of_plane[plane]);
+        (max_rms_of_plane[plane] * max_rms_of_plane[plane]);
     if (squared_ratio >= least_squared_ratio)
       continue;
     least_squared_ratio = squared_ratio;
@@ -78,15 +78,15 @@ growPlanes (const VoxelGrid& grid,
 {
   const double given_limit =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
-  std::vector<double> largest_rms_of_plane;
+  std::vector<double> max_rms_of_plane;
   for (const double noise : planes.noise)
-    largest_rms_of_plane.push_back (
+    max_rms_of_plane.push_back (
         std::min (max_voxel_rms_in_noises * noise, given_limit));
   Indices open = openVoxels (planes.plane_of_voxel);
   while (!open.empty()) {
     Labels best_planes (open.size());
     forEach (threads, open.size(), [&] (std::size_t i) {
-      best_planes[i] = bestPlaneAround (grid, planes, largest_rms_of_plane, open[i]);
+      best_planes[i] = bestPlaneAround (grid, planes, max_rms_of_plane, open[i]);
     });
     Indices taken;
     for (std::size_t i = 0; i < open.size(); ++i)

@@ -74,9 +74,9 @@ inheritedPlanes (const BoundedPlanes& planes,
         planes.plane_of_voxel[coarse_of_finest[finest_voxels[i]]];
     if (plane == no_plane)
       return;
-    const double largest_rms = max_voxel_rms_in_noises * planes.noise[plane];
+    const double max_rms = max_voxel_rms_in_noises * planes.noise[plane];
     if (meanSquaredDistance (finer.moments[i], planes.planes[plane]) <
-        largest_rms * largest_rms)
+        max_rms * max_rms)
       inherited[i] = plane;
   });
   return inherited;

@@ -40,10 +40,10 @@ isMist (const Moments& moments, double squared_noise)
     return false;
   const double area =
       squared_width_of_variance * std::sqrt (fit->variances[1] * fit->variances[2]);
-  const double largest_variance =
+  const double max_variance =
       std::max (other_noise_ratio * other_noise_ratio * squared_noise,
                 scatter_in_spacings * scatter_in_spacings * area / moments.count);
-  return fit->variances[0] > largest_variance;
+  return fit->variances[0] > max_variance;
 }
 
 // Mean squared distance of all points to their planes [m^2]; infinite without planes,

@@ -41,7 +41,7 @@ struct SurfelSpread {
    * of the voxel's noise. */
   double noise_factor;
   /** \brief Cosine of the largest angle between the normals of a plane and a surfel. */
-  double smallest_cosine;
+  double min_cosine;
   /** \brief Whether each voxel may be added to a patch: see \ref openVoxels. The caller
    * closes voxels that are done. */
   std::vector<char> is_open;
@@ -90,12 +90,12 @@ private:
                  SurfelPatch& patch)
   {
     if (last_tested_by[voxel] == seed_number || !is_open[voxel] ||
-        std::abs (plane.normal.dot (surfels[voxel]->plane.normal)) < smallest_cosine)
+        std::abs (plane.normal.dot (surfels[voxel]->plane.normal)) < min_cosine)
       return;
     last_tested_by[voxel] = seed_number;
     const double noise =
         std::max (std::min (surfels[voxel]->noise, like_noise_ratio * noise_before),
-                  smallestNoise (grid));
+                  minNoise (grid));
     if (meanSquaredDistance (grid.moments[voxel], plane) >
         noise_factor * noise_factor * noise * noise)
       return;
@@ -110,7 +110,7 @@ struct CurvedSurfaces {
   const VoxelGrid& grid;
   const Surfels& surfels;
   /** \brief As of SurfelSpread. */
-  double smallest_cosine;
+  double min_cosine;
   std::vector<char> is_curved = std::vector<char> (grid.size(), 0);
 
   /** \brief Adds a patch if it is curved together with the curved voxels next to it: a
@@ -138,7 +138,7 @@ private:
       for (const std::uint32_t neighbor : grid.neighbors[patch[i]])
         if (is_curved[neighbor] != 0 &&
             std::abs (plane.normal.dot (surfels[neighbor]->plane.normal)) >
-                smallest_cosine) {
+                min_cosine) {
           is_curved[neighbor] = 0;
           patch.push_back (neighbor);
         }
@@ -174,13 +174,13 @@ extractSurfelPlanes (const VoxelGrid& grid,
                      BoundedPlanes& planes)
 {
   planes.plane_of_voxel.resize (grid.size(), no_plane);
-  const double smallest_cosine = std::cos (parameters.surfels.angle_threshold);
+  const double min_cosine = std::cos (parameters.surfels.angle_threshold);
   SurfelSpread spread{grid,
                       surfels,
                       parameters.surfels.noise_factor,
-                      smallest_cosine,
+                      min_cosine,
                       openVoxels (surfels, max_thickness, planes.plane_of_voxel)};
-  CurvedSurfaces curved{grid, surfels, smallest_cosine};
+  CurvedSurfaces curved{grid, surfels, min_cosine};
   for (const std::uint32_t seed : seedsByThickness (surfels, spread.is_open)) {
     if (spread.is_open[seed] == 0)
       continue;

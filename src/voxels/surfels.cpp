@@ -156,7 +156,7 @@ findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned 
 struct FlattestPlane {
   /** \brief The points of the finest voxel. */
   const Moments& voxel;
-  double smallest_noise;
+  double min_noise;
   /** \brief The surfel of that plane; nullptr if there is none. */
   const Surfel* flattest_surfel = nullptr;
   /** \brief Thickness of \ref flattest_surfel; 1 if there is none. */
@@ -185,9 +185,8 @@ struct FlattestPlane {
     if (level.thickness[candidate] >= thickness)
       return;
     const Surfel& surfel = *level.surfels[candidate];
-    const double largest_rms =
-        like_noise_ratio * std::max (surfel.noise, smallest_noise);
-    if (meanSquaredDistance (voxel, surfel.plane) >= largest_rms * largest_rms)
+    const double max_rms = like_noise_ratio * std::max (surfel.noise, min_noise);
+    if (meanSquaredDistance (voxel, surfel.plane) >= max_rms * max_rms)
       return;
     flattest_surfel = &surfel;
     thickness = surfel.thickness;
@@ -201,7 +200,7 @@ bestSurfelFor (std::size_t voxel,
                const VoxelGrid& finest,
                const std::vector<GridLevel>& levels)
 {
-  FlattestPlane plane{finest.moments[voxel], smallestNoise (finest)};
+  FlattestPlane plane{finest.moments[voxel], minNoise (finest)};
   for (const GridLevel& level : levels) {
     const std::size_t own_voxel = level.voxelHolding (voxel);
     if (level.thickness[own_voxel] < flat_thickness)
@@ -223,18 +222,18 @@ bestSurfelFor (std::size_t voxel,
 // points: the cause is then not noise but several surfaces, such as the two slopes of a
 // roof.
 bool
-hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise)
+hidesSurfaces (const Surfel& surfel, const Moments& voxel, double min_noise)
 {
   if (voxel.count < min_points_of_noise ||
-      surfel.noise <= other_noise_ratio * smallest_noise)
+      surfel.noise <= other_noise_ratio * min_noise)
     return false;
-  const double largest_variance = surfel.noise * surfel.noise /
-                                  (other_noise_ratio * other_noise_ratio) *
-                                  (voxel.count - parameters_of_plane) / voxel.count;
+  const double max_variance = surfel.noise * surfel.noise /
+                              (other_noise_ratio * other_noise_ratio) *
+                              (voxel.count - parameters_of_plane) / voxel.count;
   // Positive definite exactly if all eigenvalues of the covariance, the variances of
   // the points along their axes, are above this value.
   const Eigen::Matrix3d difference =
-      voxel.covariance() - largest_variance * Eigen::Matrix3d::Identity();
+      voxel.covariance() - max_variance * Eigen::Matrix3d::Identity();
   return difference.llt().info() != Eigen::Success;
 }
 
@@ -254,8 +253,7 @@ findSurfels (const VoxelGrid& grid,
     if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)
       return;
     surfels[i] = bestSurfelFor (i, grid, levels);
-    if (surfels[i] &&
-        hidesSurfaces (*surfels[i], grid.moments[i], smallestNoise (grid)))
+    if (surfels[i] && hidesSurfaces (*surfels[i], grid.moments[i], minNoise (grid)))
       surfels[i].reset();
   });
   return surfels;

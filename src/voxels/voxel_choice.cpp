@@ -22,7 +22,7 @@ namespace {
 double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
-  constexpr double smallest_noise_share = 1e-4; // of the voxel size
+  constexpr double min_noise_share = 1e-4; // of the voxel size
   std::vector<Eigen::Matrix3d> covariances;
   for (const Moments& voxel : grid.moments)
     if (voxel.count >= min_points_of_noise)
@@ -32,7 +32,7 @@ noiseOfFlatVoxels (const VoxelGrid& grid)
   std::vector<float> noises;
   for (const PrincipalAxes& axes : axes_of_voxels)
     if (const double noise = std::sqrt (axes.values[0]);
-        noise > smallest_noise_share * grid.voxel_size)
+        noise > min_noise_share * grid.voxel_size)
       noises.push_back (static_cast<float> (noise));
   const auto lower_quartile = noises.begin() + noises.size() / 4;
   std::nth_element (noises.begin(), lower_quartile, noises.end());
@@ -71,10 +71,10 @@ voxelSizeByNoise (const VoxelGrid& grid)
   // density.
   constexpr double min_contrast = 1.7;
   // Largest noise in units of the voxel size.
-  constexpr double largest_noise_share = 0.014;
+  constexpr double max_noise_share = 0.014;
   // Smallest voxel size in units of that of the grid: however dense one part is, the
   // voxels have to suit the whole cloud.
-  constexpr double smallest_size_share = 1.0 / 16.0;
+  constexpr double min_size_share = 1.0 / 16.0;
   const double mean_points = meanOverPoints (grid);
   const bool is_uneven = mean_points > min_contrast * meanPointsPerVoxel (grid);
   if (mean_points < (is_uneven ? enough_points : many_points))
@@ -82,8 +82,8 @@ voxelSizeByNoise (const VoxelGrid& grid)
   // Points lie on surfaces: their number in a voxel is proportional to its squared
   // edge.
   const double size_share =
-      std::max (smallest_size_share, std::sqrt (enough_points / mean_points));
-  return roundNumber (std::clamp (noiseOfFlatVoxels (grid) / largest_noise_share,
+      std::max (min_size_share, std::sqrt (enough_points / mean_points));
+  return roundNumber (std::clamp (noiseOfFlatVoxels (grid) / max_noise_share,
                                   size_share * grid.voxel_size,
                                   grid.voxel_size));
 }
@@ -131,12 +131,11 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
     return {};
   // The edge of a coarse voxel is twice that of a finest one, which is 8 steps or more:
   // chosen by hand, as in smaller voxels the steps look like planes.
-  constexpr double smallest_in_steps = 2.0 * 8.0;
-  const double smallest_size = smallest_in_steps * singlePrecisionStep (points);
-  VoxelLevels voxels = coarsen (
-      voxelize (points, 0.5 * std::max (size_by_points, smallest_size), threads));
-  const double size_by_noise =
-      std::max (voxelSizeByNoise (voxels.coarse), smallest_size);
+  constexpr double min_size_in_steps = 2.0 * 8.0;
+  const double min_size = min_size_in_steps * singlePrecisionStep (points);
+  VoxelLevels voxels =
+      coarsen (voxelize (points, 0.5 * std::max (size_by_points, min_size), threads));
+  const double size_by_noise = std::max (voxelSizeByNoise (voxels.coarse), min_size);
   if (size_by_noise < voxels.coarse.voxel_size)
     voxels = coarsen (voxelize (points, 0.5 * size_by_noise, threads));
   return voxels;
