@@ -69,6 +69,7 @@ struct PostponedChildren {
   static constexpr int bits_of_child = 32;
   // A division puts at most 3/4 of the points on a side, and 2^32 (3/4)^78 < 1: a tree
   // over 2^32 points has at most 78 divisions, of which a level of nodes makes three.
+  // At most the children of one node wait on each level.
   static constexpr std::size_t max_levels = 78 / 3;
 
   std::array<std::uint64_t, max_levels * BoxTree::max_children> entries;

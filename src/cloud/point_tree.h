@@ -85,7 +85,8 @@ private:
   float squared_bound_ = 0.0F;
 };
 
-/** \brief A k-d tree that finds the nearest neighbors of its own points. */
+/** \brief A k-d tree that finds the nearest neighbors of its own points; \ref BoxTree
+ * searches around any position. */
 class PointTree {
 public:
   /** \param[in] points finite points; the tree keeps a copy

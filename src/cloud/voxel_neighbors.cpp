@@ -91,7 +91,7 @@ cellsOfChildren ()
 }
 
 // For each octant the cell with the lowest index in the 3 x 3 x 3 block around the
-// child in this octant.
+// child in this octant: x + 4 y + 16 z, with the bits x, y and z of the octant.
 constexpr std::array<std::uint8_t, max_children> first_around{
     0, 1, 4, 5, 16, 17, 20, 21};
 

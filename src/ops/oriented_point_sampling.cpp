@@ -85,6 +85,7 @@ measureNoise (const CloudView& cloud,
       points, parameters, static_cast<std::size_t> (counted_of_whole));
 }
 
+// The values of Table III of the paper.
 OrientedPointSamplingParameters
 OrientedPointSamplingParameters::paper()
 {

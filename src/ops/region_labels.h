@@ -14,8 +14,9 @@ namespace pcl_ops::internal {
  * likeliest plane has the smallest d^2 / s^2 + 2 ln s, where d is the distance of the
  * place to the plane and s the noise of the plane around the place [m]: the scatter of
  * the region or the noise of the place, whichever is larger; that of the place counts
- * as at most max_noise_over_region times that of the region. Without the logarithm
- * noisy planes would take the points of clean ones.
+ * as at most max_noise_over_region times that of the region. But for a constant the sum
+ * is -2 times the logarithm of the normal distribution of d. Without 2 ln s noisy
+ * planes would take the points of clean ones.
  * \param[in] is_plane for each region, whether it is a plane
  * \param[in] distance_threshold largest distance of a place to its plane [m]; if not
  * given, it follows the noise

@@ -47,6 +47,7 @@ surfelsOf (const VoxelGrid& grid,
            const Labels& plane_of_voxel)
 {
   const SurfelParameters& surfels = parameters.surfels;
+  // An empty grid has the mean NaN; the other number is the maximum then.
   const double min_points =
       std::max (parameters.k / neighborhood_factor,
                 surfels.min_average_voxels * meanPointsPerVoxel (grid));

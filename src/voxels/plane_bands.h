@@ -39,7 +39,8 @@ struct PlaneBand {
 
 /** \brief The plane that a point most likely belongs to: of the planes in whose bands
  * the point lies, the one with the least d^2 / sigma^2 + 2 ln sigma, where d is the
- * distance of the point; no_plane if the point lies in no band. With d / sigma alone a
+ * distance of the point; no_plane if the point lies in no band. But for a constant that
+ * is -2 times the logarithm of the normal distribution of d. With d / sigma alone a
  * noisy plane would take points of a clean plane that it meets.
  * \param[in] planes the candidates, as positions in \p bands
  * \param[in] point index of the point in \p points */

@@ -29,8 +29,7 @@ singlePrecisionStep (const Points& points);
 VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads);
 
-/** \brief Number of points per occupied voxel.
- * \param[in] grid not empty */
+/** \brief Mean number of points in a voxel; NaN for an empty grid. */
 double
 meanPointsPerVoxel (const VoxelGrid& grid);
 
