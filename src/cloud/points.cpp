@@ -114,7 +114,7 @@ computeHashes (const float* x,
 Indices
 indicesByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_bits)
 {
-  constexpr std::size_t points_at_once = 1024;
+  constexpr std::size_t points_at_once = 1024; // chosen by hand, changes only the time
   // About one of so many points is taken.
   const auto points_per_taken = static_cast<std::uint32_t> (points.size() / wanted + 1);
   const std::uint32_t max_taken_hash =

@@ -24,7 +24,8 @@ struct PrincipalAxes {
  * The smallest eigenvalue comes from Newton's method, the rest is in closed form.
  * Newton's method starts near the smallest root of the characteristic polynomial, which
  * is concave there: after the first step it approaches the root from below and cannot
- * overshoot. For flat sets of points two or three steps suffice.
+ * overshoot. For flat sets of points two or three steps suffice. Eight successive
+ * matrices take equally many steps, so that the last digits may depend on the others.
  * \param[out] axes one for each matrix; all zero for a matrix without a positive trace
  */
 void

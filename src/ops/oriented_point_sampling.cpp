@@ -139,6 +139,8 @@ isVoxelSize (double edge)
 std::string
 validate (const OrientedPointSamplingParameters::Surfels& surfels)
 {
+  // The voxels of resolution 10 have 2^10 times the finest edge: no larger ones have a
+  // border at coordinate 0 (key_offset of morton_code.h).
   constexpr int max_resolutions = 10;
   if (surfels.voxel_size && !isVoxelSize (*surfels.voxel_size))
     return "the voxel size must be a length above 0, or not be given";

@@ -89,9 +89,9 @@ splitThinWalls (const Coordinates& distinct,
 {
   // Least distance of the sides, in units of the noise. It is below 2: noise that was
   // measured over both sides of a wall is half of their distance.
-  constexpr double noises_apart = 1.7;
-  // The same in steps of rounded coordinates. It is above 1: rounding alone makes
-  // layers that are one step apart.
+  constexpr double noises_apart = 1.7; // chosen by hand
+  // The same in steps of rounded coordinates. It is above 1, as rounding alone makes
+  // layers that are one step apart, and below 2, the distance of sides two steps apart.
   constexpr double steps_apart = 1.5;
   const std::vector<double> step_of_region = roundingSteps (distinct, places, regions);
   std::vector<Plane> planes;

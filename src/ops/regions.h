@@ -46,6 +46,7 @@ struct Region {
   take (Region& other);
 };
 
+/** \brief The regions of a cloud, and which of its places are in them. */
 struct Regions {
   /** \brief A region that another one took stays in the list, without points. */
   std::vector<Region> list;

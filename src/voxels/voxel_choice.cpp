@@ -58,7 +58,7 @@ meanOverPoints (const VoxelGrid& grid)
 // next to no noise, smaller voxels tell more. One size is too large near a lidar and
 // too small far from it: a cloud of uneven density gets the voxels that suit its dense
 // parts, and sparse parts are searched in voxels of their own, see \ref sparsePoints.
-// The numbers were chosen by hand; src/doc/constants.csv has F without most of them.
+// The numbers were chosen by hand; src/doc/constants.csv has F with others.
 double
 voxelSizeByNoise (const VoxelGrid& grid)
 {
