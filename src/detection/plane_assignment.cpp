@@ -16,10 +16,13 @@ namespace {
 // Points are compared with planes in blocks of successive points. A plane too far from
 // the bounding box of a block is skipped. If successive points are neighbors in space,
 // blocks are small enough for compact boxes. They are large enough that boxes cost
-// little.
+// little. The size was chosen by hand, and changes no label.
 constexpr std::size_t block_size = 256;
-constexpr std::size_t points_per_piece = 64 * block_size; // of a parallel loop
-// After so many planes a block checks again whether all its points have a plane.
+// Points of a piece of a parallel loop. Another number changes the rounding of sums in
+// momentsOfLabels.
+constexpr std::size_t points_per_piece = 64 * block_size;
+// After so many planes a block checks again whether all its points have a plane. The
+// number changes no label.
 constexpr std::size_t planes_between_checks = 32;
 
 /** \brief A bounding box along the axes [m]. */
@@ -41,7 +44,10 @@ boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
     low[axis] = coordinates.minCoeff();
     high[axis] = coordinates.maxCoeff();
   }
-  return {0.5 * (low + high).cast<double>(), 0.5 * (high - low).cast<double>()};
+  // In double precision: sums of coordinates near the largest float would be infinite.
+  const Eigen::Vector3d lowest = low.cast<double>();
+  const Eigen::Vector3d highest = high.cast<double>();
+  return {0.5 * (lowest + highest), 0.5 * (highest - lowest)};
 }
 
 // Whether a point of the box may be within the threshold of a plane [m], with tolerance
@@ -49,7 +55,7 @@ boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
 bool
 mayBeNear (const Plane& plane, const Box& box, double threshold)
 {
-  constexpr double relative_rounding = 1e-5;
+  constexpr double relative_rounding = 1e-5; // some 100 times that of a float
   const double half_depth = plane.normal.cwiseAbs().dot (box.half_size);
   const double rounding =
       relative_rounding * (std::abs (plane.offset) + box.center.norm() + half_depth);
@@ -126,7 +132,8 @@ momentsOfLabels (const Coordinates& points,
                  unsigned threads)
 {
   // A piece has at least this many points per plane. Otherwise, with thousands of
-  // planes, its sums would take more memory than its points.
+  // planes, its sums, 104 bytes per plane, would take more memory than its points, 12
+  // bytes each.
   constexpr std::size_t min_points_per_plane = 8;
   const auto momentsOfPiece = [&] (std::size_t begin, std::size_t end) {
     std::vector<Moments> moments (planes);

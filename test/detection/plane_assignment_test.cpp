@@ -111,6 +111,16 @@ TEST (AssignPoints, AgreesWithBruteForce)
   }
 }
 
+TEST (AssignPoints, GivesAPointItsPlaneThoughStraysReachTheLargestFloats)
+{
+  Coordinates points;
+  for (const float x : {0.0f, 3e38f, -3e38f}) // their sums and differences overflow
+    points.add (x, 0.0f, 0.0f);
+  EXPECT_EQ (
+      assignPoints (points, {atHeight (0)}, 5_cm, AssignmentRule::Nearest, one_thread),
+      (Labels{0, 0, 0}));
+}
+
 TEST (MomentsOfLabels, AreThoseOfThePointsOfEachLabel)
 {
   const Coordinates points = pointsInACube (40000, 2_m);
