@@ -112,7 +112,8 @@ Vector3d
 fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
 {
   constexpr double max_angle = 0.5; // of the widened tolerance [rad]
-  // Factors of the tolerance: in the first steps planes at larger angles count, too.
+  // Factors of the tolerance, chosen by hand: in the first steps planes at larger
+  // angles count, too, and the last steps converge.
   for (const double widening : {3.0, 2.0, 1.0, 1.0, 1.0}) {
     const double limit = std::sin (std::min (widening * tolerance, max_angle));
     Matrix3d scatter = Matrix3d::Zero();
@@ -143,8 +144,8 @@ sortedByDescending (double Item::*value, std::vector<Item> items)
 std::vector<Vector3d>
 startAxes (const Faces& faces)
 {
-  constexpr std::size_t max_planes = 12;
-  constexpr double min_sine = 0.5; // of the angle between two normals: 30 degrees
+  constexpr std::size_t max_planes = 12; // they give up to 78 axes; chosen by hand
+  constexpr double min_sine = 0.5;       // of the angle between two normals: 30 degrees
   std::vector<Face> largest = sortedByDescending (&Face::weight, faces.each);
   largest.resize (std::min (largest.size(), max_planes));
   std::vector<Vector3d> axes;
@@ -245,7 +246,9 @@ evidenceFor (const Vector3d& up,
   // Share of the gaze that is along the direction, lower for scans in all directions.
   const double gaze_along_up =
       gaze.dot (up) * gaze.dot (up) / (total_variance + gaze.squaredNorm());
-  const double skewness = third_moment / std::pow (variance, 1.5);
+  // Points at one height have no skewness; rounding may make their variance negative.
+  const double skewness =
+      variance > 0.0 ? third_moment / std::pow (variance, 1.5) : 0.0;
   // Weights by maximum likelihood on 300 simulated rooms, with a weak prior towards 0.
   constexpr double weight_of_facing = 13.0;
   constexpr double weight_of_vertical = 1.5;
@@ -272,7 +275,8 @@ seesFloorAndCeiling (const Vector3d& up,
   // its sum with the variance of the points. For images of cameras the share is 0.6 or
   // more.
   constexpr double max_share_of_gaze = 0.3;
-  // Least weight of the planes that face up, and of those that face down.
+  // Least weight of the planes that face up, and of those that face down; chosen by
+  // hand.
   constexpr double min_facing_share = 0.05;
   const double squared_gaze = (faces.mean - viewpoint).squaredNorm();
   const double limit = std::sin (tolerance);

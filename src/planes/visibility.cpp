@@ -47,15 +47,20 @@ struct Sighting {
 double
 magnificationFrom (const Eigen::Vector3d& position, const Coordinates& scene)
 {
-  constexpr double radii_of_near_scene = 4.0; // distance without magnification
-  constexpr double max_magnification =
-      1e7; // so that the index of a cell fits into 64 bits
+  // Largest distance without magnification, in units of the radius; chosen by hand.
+  constexpr double radii_of_near_scene = 4.0;
+  // So the index of a cell fits into 64 bits: a face has 1.3e9 x 1.3e9 cells then.
+  constexpr double max_magnification = 1e7;
   Moments moments;
   for (std::size_t i = 0; i < scene.size(); ++i)
     moments.add (scene.x[i], scene.y[i], scene.z[i]);
   const double radius = std::sqrt (moments.covariance().trace());
   const double distance = (moments.centroid() - position).norm();
-  return std::clamp (distance / (radii_of_near_scene * radius), 1.0, max_magnification);
+  // For equal points rounding may make the variance negative, and the quotient NaN:
+  // std::max in this argument order turns that into 1.
+  const double magnification =
+      std::max (1.0, distance / (radii_of_near_scene * radius));
+  return std::min (magnification, max_magnification);
 }
 
 // Returns the index of the cell that an offset from the center of the cube points to. A
@@ -65,7 +70,8 @@ magnificationFrom (const Eigen::Vector3d& position, const Coordinates& scene)
 std::uint64_t
 cellOf (const Eigen::Vector3d& offset, double magnification)
 {
-  constexpr double cells_per_radian_of_near_scene = 80.0; // cells of 0.7 degrees
+  // Cells of 0.7 degrees; chosen by hand.
+  constexpr double cells_per_radian_of_near_scene = 80.0;
   const double cells_per_radian = cells_per_radian_of_near_scene * magnification;
   const auto cells_of_side =
       static_cast<std::uint64_t> (right_angle * cells_per_radian) + 1u;
@@ -116,7 +122,8 @@ sightingsFrom (const Eigen::Vector3d& position,
 bool
 areOfTwoSurfaces (const Sighting* sorted, std::size_t count, double magnification)
 {
-  // Smallest gap over the range before it, if the scene is not magnified.
+  // Smallest gap over the range before it, if the scene is not magnified; chosen by
+  // hand.
   constexpr double min_relative_gap = 0.15;
   const double min_ratio = 1.0 + min_relative_gap / magnification; // of both ranges
   const std::size_t min_on_side = (count + 4) / 5; // a fifth, rounded up
@@ -138,7 +145,8 @@ pointsDown (const PlaneSegment& plane, const Eigen::Vector3d& up)
 bool
 isEdgeOn (const PlaneSegment& plane, const Eigen::Vector3d& position)
 {
-  // Sine of the angle between the plane and the direction to its centroid: 1.1 degrees.
+  // Sine of the angle between the plane and the direction to its centroid: of 1.1
+  // degrees.
   constexpr double min_sine = 0.02;
   return std::abs (plane.plane().distance (position)) <
          min_sine * (plane.centroid - position).norm();
@@ -165,6 +173,7 @@ isFarFrom (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& posit
 double
 detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint)
 {
+  // Both are chosen by hand.
   constexpr std::size_t sample_size = 60000;
   constexpr std::size_t min_points_of_cell = 5;
   if (!viewpoint.allFinite())

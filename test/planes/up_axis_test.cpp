@@ -145,6 +145,14 @@ TEST (UpAxis, NeedsAFloorAndAWall)
   expectUp (estimateUpAxis ({floor, wall}, eye).value(), 0.1_deg);
 }
 
+TEST (UpAxis, IsTheNormalOfAnExactFloorIfNoWallIsNeeded)
+{
+  UpAxisParameters parameters;
+  parameters.min_share = 0.0;
+  expectUp (estimateUpAxis ({seenFrom (eye, room_floor)}, eye, parameters).value(),
+            0.1_deg);
+}
+
 TEST (UpAxis, CannotBeToldInTheCornerOfACube)
 {
   // Seen along the diagonal, each of the three faces may be the floor.

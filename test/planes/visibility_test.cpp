@@ -244,6 +244,13 @@ TEST (Visibility, IsTheSameFor4000EqualPointsAsFor300)
   EXPECT_EQ (hiddenWithEqualPoints (4000), hiddenWithEqualPoints (300));
 }
 
+TEST (Visibility, OfEqualPointsIsNotHidden)
+{
+  Cloud cloud;
+  cloud.insert (cloud.end(), 7, pcl::PointXYZ (0.1f, 0.2f, 0.3f));
+  EXPECT_EQ (occludedFraction (CloudView (cloud), camera), 0.0);
+}
+
 TEST (Visibility, IsNotGivenFromAPositionThatIsNotFinite)
 {
   const pcl::PointCloud<pcl::PointXYZ> cloud;
