@@ -59,7 +59,7 @@ struct PlaneEdge {
   }
 };
 
-/** \brief The intersection point of three planes, each two of which have an edge. */
+/** \brief The intersection point of three planes, any two of which have an edge. */
 struct PlaneCorner {
   /** \brief Indices of the planes in the list of planes, ascending. */
   std::array<std::size_t, 3> planes{};
@@ -83,9 +83,10 @@ struct PlaneEdges {
  * Gems, 1990). An edge is an interval of this line along which both planes have inliers
  * within reach. So a wall with a door has two edges with the floor, and a plane may end
  * in the middle of another plane. Three planes intersect in a point with [n1 n2 n3]^T x
- * = -[d1 d2 d3]^T. The point is a corner if each two planes have an edge that comes
- * within max_gap of it. Ends of edges that near are moved to the corner. Positions are
- * exact 10^6 m from zero, too, and do not depend on the order of the inliers.
+ * = -[d1 d2 d3]^T. The point is a corner if any two of the planes have an edge that
+ * comes within max_gap of it. Ends of edges that near are moved to the corner.
+ * Positions are exact 10^6 m from zero, too, and do not depend on the order of the
+ * inliers.
  * \param[in] cloud the input cloud of the detection
  * \param[in] planes the planes that a detector returned; non-finite planes get no edges
  * \param[in] parameters must be valid (\ref validate)

@@ -11,10 +11,10 @@ namespace pcl_ops::internal {
 
 /** \brief Splits each plane that consists of two parallel layers, as the two sides of a
  * thin wall, which are so near each other that they are found as one plane. If two
- * groups explain most of the variance of the signed distances of the points to the
- * plane
- * (\ref bestTwoGroups), the points of the group on the side of the normal become a new
- * plane. A plane of fewer than 50 points is never split.
+ * groups (\ref bestTwoGroups) explain most of the variance of the signed distances of
+ * the points to the plane, the points of the group on the side of the normal become a
+ * new plane. A plane of fewer than 50 points is never split.
+ * \param[in] points,planes in one frame
  * \param[in] min_apart for each plane the least distance between two layers [m]
  * \param[in,out] labels of the points; the labels of new planes begin at
  * \p is_kept.size()

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/angles.h"
 #include "geometry/noise_ratios.h"
 #include <pcl_ops/plane_merging.h>
 
@@ -90,10 +91,9 @@ absorb (Group& larger, const Group& smaller)
 double
 minCosineWithin (double angle_threshold)
 {
-  constexpr double rounding = 1e-9;
-  const double largest_angle =
-      std::acos (0.0); // pi/2: the signs of normals do not count
-  return std::cos (std::min (angle_threshold, largest_angle)) - rounding;
+  constexpr double rounding = 1e-9; // far above that of a cosine, some 1e-16
+  // Signs of normals do not count, so that no angle is above pi/2.
+  return std::cos (std::min (angle_threshold, right_angle)) - rounding;
 }
 
 // Merges groups in one pass over all pairs.
@@ -106,6 +106,7 @@ mergeInOnePass (std::vector<Group>& groups,
                 double noise_factor)
 {
   const double min_cosine = minCosineWithin (angle_threshold);
+  // The normals one after the other in memory: most pairs are rejected by them alone.
   std::vector<Eigen::Vector3d> normals;
   normals.reserve (groups.size());
   for (const Group& group : groups)
@@ -153,12 +154,13 @@ MergedPlanes
 mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parameters)
 {
   std::vector<Group> groups = groupsWithAPlane (planes);
-  constexpr double default_theta_h = 0.05; // [m], as documented
+  constexpr double default_distance_threshold = 0.05; // [m], MergingParameters
   while (parameters.enabled &&
-         mergeInOnePass (groups,
-                         parameters.angle_threshold,
-                         parameters.distance_threshold.value_or (default_theta_h),
-                         parameters.noise_factor.value_or (0.0))) {
+         mergeInOnePass (
+             groups,
+             parameters.angle_threshold,
+             parameters.distance_threshold.value_or (default_distance_threshold),
+             parameters.noise_factor.value_or (0.0))) {
   }
   MergedPlanes merged;
   merged.merged_into.assign (planes.size(), no_plane);

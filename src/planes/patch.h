@@ -7,6 +7,7 @@
 #include "geometry/planar_area.h"
 #include <pcl_ops/plane.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

@@ -105,7 +105,7 @@ double
 reachOf (const ProjectedPlane& first, const ProjectedPlane& second, double sine)
 {
   constexpr double deviations = 3.0; // standard deviations of the points of both planes
-  constexpr double spacings = 4.0;   // of the plane with the larger spacing
+  constexpr double spacings = 4.0;   // of the plane with the larger one; chosen by hand
   return deviations * std::hypot (first.rms, second.rms) / sine +
          spacings * std::max (first.spacing, second.spacing);
 }
@@ -178,7 +178,8 @@ meetingOf (const std::vector<PlaneSegment>& planes,
            std::size_t second,
            const PlaneEdgeParameters& parameters)
 {
-  // Defaults of the largest gap and of the smallest length, in units of the reach.
+  // Defaults of the largest gap and of the smallest length, in units of the reach;
+  // chosen by hand.
   constexpr double reaches_of_gap = 2.0;
   constexpr double reaches_of_length = 3.0;
   if (!projected_planes[first] || !projected_planes[second])
@@ -212,7 +213,7 @@ meetingOf (const std::vector<PlaneSegment>& planes,
   return Meeting{first, second, *line, angle, max_gap, std::move (common)};
 }
 
-/** \brief The intersection point of three planes, each two of which meet.
+/** \brief The intersection point of three planes, any two of which meet.
  * \return nothing if a plane and the line of the others are at an angle whose sine is
  * below \p min_sine */
 std::optional<Vector3d>

@@ -95,8 +95,9 @@ hullOfAll (const PlanarPoints& points)
 PlanarPoints
 innerHull (const PlanarPoints& points)
 {
-  constexpr std::size_t sample_size = 2048;
-  constexpr std::size_t min_outside = sample_size / 32; // of the sampled points
+  constexpr std::size_t sample_size = 2048; // chosen by hand
+  // 3 percent of the sample: more than may be outside by default (convexHull).
+  constexpr std::size_t min_outside = sample_size / 32;
   if (points.size() <= sample_size)
     return {};
   RandomGenerator generator; // with its default seed: the result is always the same
@@ -204,6 +205,22 @@ rectangleAlongLine (const PlanarPoints& points)
   return rectangle;
 }
 
+/** \brief Whether a layer of the outermost points has stray points: it has less than
+ * half as many points per area as the points inside. Noise blurs the edge of a surface:
+ * at the edge the points per area are half of those inside.
+ * \param[in] layer_points number of points of the layer
+ * \param[in] layer_area area between the hulls with and without the layer
+ * \param[in] all_points number of all points
+ * \param[in] area of the hull without the layer */
+bool
+isSparse (std::size_t layer_points, double layer_area, double all_points, double area)
+{
+  constexpr double edge_density = 0.5;
+  // layer_points / layer_area < edge_density all_points / area
+  return static_cast<double> (layer_points) * area <
+         edge_density * all_points * layer_area;
+}
+
 } // namespace
 
 PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& normal)
@@ -213,12 +230,9 @@ PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& no
 PlanarPoints
 convexHull (const PlanarPoints& points, double max_outside)
 {
-  // Noise blurs the edge of a surface: points per area at the edge are half of those
-  // inside. A layer with fewer points per area has stray points.
-  constexpr double edge_density = 0.5;
   // The outermost points are removed layer by layer. The points that may be outside
   // fill this many layers, so that each layer has enough points to measure its density.
-  constexpr std::size_t layers = 16;
+  constexpr std::size_t layers = 16;    // chosen by hand
   PlanarPoints rim = finiteOf (points); // the points that may still be corners
   const auto all_points = static_cast<double> (rim.size());
   const double max_share = max_outside > 0.0 ? std::min (max_outside, 1.0) : 0.0;
@@ -247,11 +261,7 @@ convexHull (const PlanarPoints& points, double max_outside)
     const PlanarPoints next_hull = hullOfRest();
     const double area = areaOf (next_hull);
     const double layer_area = areaOf (hull) - area;
-    // The density of the layer is layer_points / layer_area, that of all points
-    // all_points / area.
-    const bool is_sparse = static_cast<double> (layer_points) * area <
-                           edge_density * all_points * layer_area;
-    if (next_hull.empty() || !is_sparse)
+    if (next_hull.empty() || !isSparse (layer_points, layer_area, all_points, area))
       break;
     hull = next_hull;
   }

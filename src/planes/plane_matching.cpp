@@ -28,7 +28,8 @@ using Patches = std::vector<std::optional<Patch>>;
 Matrix3d
 covarianceOf (const Patch& patch)
 {
-  // Height error by rounding to single precision, in units of half the length.
+  // Height error by rounding to single precision, in units of half the length: that of
+  // coordinates up to some 100 times as large, as their error is 6e-8 of them.
   constexpr double rounding = 1e-5;
   const double half_length = patch.half_sides.maxCoeff();
   const double height_variance =
@@ -158,7 +159,7 @@ struct PoseEstimate {
   update (const Patch& fixed, const Patch& seen)
   {
     // A rotation by 20 degrees is not linear: repeat the linear update.
-    constexpr int iterations = 3;
+    constexpr int iterations = 3; // chosen by hand
     const Eigen::Isometry3d before = pose;
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
     Eigen::Matrix<double, 6, 6> removed_covariance;
@@ -180,8 +181,8 @@ struct PoseEstimate {
   }
 };
 
-/** \brief Least absolute cosine between the normals of a pair: at larger angles slopes
- * are no small errors. */
+/** \brief Least absolute cosine between the normals of a pair: at angles above 45
+ * degrees slopes are no small errors. */
 constexpr double min_cosine = 0.7;
 
 /** \brief Largest \ref PoseEstimate::squaredDistance of a pair: the 99.73 % quantile of

@@ -10,8 +10,9 @@
 namespace pcl_ops {
 namespace {
 
-/** \brief Factor of the older moments in each frame that sees the plane. The weights of
- * all frames sum up to at most 1 / (1 - 0.7), the weight of about three new frames. */
+/** \brief Factor of the older moments in each frame that sees the plane; chosen by
+ * hand. The weights of all frames sum up to at most 1 / (1 - 0.7), the weight of about
+ * three new frames. */
 constexpr double weight_of_older = 0.7;
 
 /** \brief Returns a motion with its rotation normalized: rounding would add up over
