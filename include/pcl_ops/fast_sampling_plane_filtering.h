@@ -44,13 +44,13 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
     /** \brief K_max, as a multiple of the number of points: sampling ends after this
      * number of spheres, also those that gave no hypothesis. */
     double max_hypotheses_per_point = 1.0;
-    /** \brief Sampling also ends when its work exceeds this many times the number of
-     * points. The work of a sphere is 100 plus its points, or plus a third of the
-     * points examined to find them if that is more, plus 1000 if its draws give no
-     * plane. Not in the paper: with dense noise, equal points or bad radii K_max would
-     * take hours. In clouds of rooms the work is some 10 times the number of points,
-     * with Inliers::Samples some 100 times: this limit may then end sampling before
-     * N_max and K_max do. */
+    /** \brief Limit of visits, as a multiple of the number of points: sampling also
+     * ends after more visits. A sphere counts as 100 visits, plus its points, or a
+     * third of the points examined to find them if that is more, plus 1000 if its draws
+     * give no plane. Not in the paper: with dense noise, equal points or bad radii
+     * K_max would take hours. In clouds of rooms there are some 10 visits per point,
+     * with Inliers::Samples some 100: this limit may then end sampling before N_max and
+     * K_max do. */
     double max_visits_per_point = 100.0;
   };
 

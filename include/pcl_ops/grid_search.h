@@ -9,14 +9,15 @@
 
 #include <algorithm>
 #include <memory>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops {
 
 /** \brief Exact search for nearest neighbors and within a radius, for all users of
- * pcl::search, in a tree of bounding boxes. Building the tree takes about a third of
- * the time of pcl::KdTreeFLANN, which saves most if only few points are searched for.
+ * pcl::search, in a tree of bounding boxes. (It is named after the grid of its first
+ * version.) Building the tree takes about a third of the time of pcl::KdTreeFLANN,
+ * which saves most if only few points are searched for.
  *
  * Points with a NaN or infinite coordinate are left out. Distances are equal to those
  * of pcl::search::KdTree to the last bit. Neighbors at the same distance are sorted by

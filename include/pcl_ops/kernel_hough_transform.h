@@ -48,8 +48,9 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   /** \brief rho_num: steps of the accumulator from its center to the farthest point,
    * 2 .. 10000. */
   int rho_num = 300;
-  /** \brief Minimum samples, s_level, s_alpha and s_beta. The defaults are s_level 3
-   * and s_alpha 15 here: the published 5 and 25 lose the surfaces of noisy clouds. */
+  /** \brief The smallest number of samples, s_level, s_alpha and s_beta. The defaults
+   * are s_level 3 and s_alpha 15 here: the published 5 and 25 lose the surfaces of
+   * noisy clouds. */
   Clusters clusters;
   /** \brief Refits the planes to the points of their clusters. A refitted plane is
    * bounded: it covers the voxels of its clusters and grows from there over occupied

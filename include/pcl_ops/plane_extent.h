@@ -104,7 +104,8 @@ convexHull (const PlanarPoints& points, double max_outside = 0.01);
 
 /** \brief Returns the extent of an outline, convex or not: area and bounding rectangle.
  * \param[in] rings the outline and its holes, in the coordinates of \p frame [m]
- * \param[in] points points whose bounding rectangle is used if the outline is empty
+ * \param[in] points in the same coordinates, on one line: if the outline is empty, the
+ * rectangle is that of these points
  * \param[in] frame the frame in the plane of the rings
  * \return the extent in the frame of the cloud */
 PCL_OPS_EXPORT PlaneExtent

@@ -36,7 +36,7 @@ struct MergingParameters {
 
 namespace detail {
 
-/** \brief The coplanarity test on a pair of planes.
+/** \brief The coplanarity test on a pair of planes (paper section III-C).
  * \return true if the angle between the normals [rad] and the distances of both
  * centroids to the other plane [m] are below the thresholds */
 PCL_OPS_EXPORT bool
@@ -63,7 +63,7 @@ struct MergedPlanes {
  * moments of the smaller plane to the larger one and refits it at once. So its time
  * does not depend on the number of points.
  * \param[in] planes moments of each plane's points, all in one frame
- * \param[in] parameters thresholds */
+ * \param[in] parameters the thresholds, which are not checked; no pair passes a NaN */
 PCL_OPS_EXPORT MergedPlanes
 mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parameters);
 

@@ -18,7 +18,8 @@ struct PlanePiecesParameters {
    * sides; the smaller spacing counts.
    *
    * The spacing at a point is that in the sparser direction on the plane: in a lidar
-   * scan it is the distance to the next ring, not to the next point of the ring. */
+   * scan it is the distance to the next scan line, not to the next point of the line.
+   */
   double max_gap = 8.0;
   /** \brief Smallest number of points of a piece: smaller pieces are joined to the
    * nearest one. */

@@ -18,7 +18,7 @@ namespace pcl_ops {
 
 /** \brief A warning that a result may be wrong. */
 struct ResultWarning {
-  /** \brief Identifier for programs, which does not change: "thick-planes". */
+  /** \brief Identifier for programs, for example "thick-planes". It does not change. */
   std::string code;
   /** \brief Text for users, one line: what may be wrong, then what to do about it. */
   std::string text;
@@ -58,8 +58,9 @@ struct TiledSearch {
   /** \brief The cloud is a sample with this share of the survey's points: above 0, up
    * to 1. */
   double sampled_share = 1.0;
-  /** \brief Small clouds with all points of the survey around some points of the sample
-   * that are on no plane. */
+  /** \brief Small clouds of points of the survey that are on no plane, around some such
+   * points of the sample: all points there, or many. They tell whether a finer search
+   * finds planes there. None is empty. */
   std::vector<CloudView> places_on_none;
 };
 
@@ -89,7 +90,8 @@ struct ResultContext {
   /** \brief Numbers of the floor plan, if one was requested. */
   std::optional<PlanCounts> plan;
   /** \brief Parameters of the search for planes. In clouds of up to 100,000 points with
-   * many points on no plane, other values are tried by more searches. */
+   * many points on no plane, other values are tried by more searches. Not set: none
+   * are tried. */
   std::optional<OrientedPointSamplingParameters> search;
   /** \brief The search of the whole survey, if the cloud is a sample of a survey. */
   std::optional<TiledSearch> tiles;

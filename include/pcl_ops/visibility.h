@@ -14,10 +14,11 @@ namespace pcl_ops {
 
 namespace detail {
 
-/** \brief Returns the share of points in directions, seen from a viewpoint, in which
- * one surface occludes another: points are at clearly different ranges. It is about
- * 0.03, at edges of objects, if the cloud was taken from the viewpoint, and 0.1 to 0.3
- * if not: for example if the cloud is in a world frame but VIEWPOINT is 0 0 0.
+/** \brief Returns the share of the points that lie in directions, seen from a
+ * viewpoint, in which one surface occludes another: there points are at clearly
+ * different ranges. If the cloud was taken from the viewpoint, the share is about 0.03,
+ * because of the edges of objects. If not, it is 0.1 to 0.3: for example if the cloud
+ * is in a world frame but VIEWPOINT is 0 0 0.
  * \param[in] cloud a sample of up to some 60,000 finite points is used; the order of
  * the points does not matter
  * \param[in] viewpoint in the frame of the cloud

@@ -15,7 +15,7 @@ extractPlanes (const Points& points,
                const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters)
 {
-  // A plane needs more samples than min_samples (theta_N): 2 makes it at least three.
+  // A plane needs more samples than min_samples (theta_N), and three to be fitted.
   constexpr unsigned smallest_min_samples = 2;
   RansacParameters ransac = parameters;
   ransac.min_samples = std::max (smallest_min_samples, parameters.min_samples);

@@ -16,7 +16,7 @@ detail::detect (const DetectorInput& input,
                 const FastSamplingPlaneFilteringParameters& parameters)
 {
   using namespace internal;
-  const auto detect_by_spheres = [&] (const Points& points, StageDurations& durations) {
+  const auto detectBySpheres = [&] (const Points& points, StageDurations& durations) {
     const FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
     const double theta_h = *parameters.distance_threshold;
     const MergingParameters merging = mergingOf (parameters);
@@ -47,7 +47,7 @@ detail::detect (const DetectorInput& input,
     clock.lap (durations.merging);
     return found;
   };
-  return detectInFinitePoints (input, parameters, detect_by_spheres);
+  return detectInFinitePoints (input, parameters, detectBySpheres);
 }
 
 FastSamplingPlaneFilteringParameters

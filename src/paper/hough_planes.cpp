@@ -11,8 +11,9 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Largest rms distance of a cluster to its plane, in units of theta_h.
-constexpr double largest_rms_by_theta_h = 0.5;
+// Largest rms distance of a cluster to its plane, in units of theta_h. The paper has no
+// refit: this number and the next one were chosen by hand.
+constexpr double max_rms_by_theta_h = 0.5;
 
 // How many times a plane is fitted to the clusters near its previous fit.
 constexpr int fits_per_plane = 2;
@@ -35,18 +36,18 @@ momentsOfClusters (const Indices& clusters, const OctreeClusters& octree)
   return moments;
 }
 
-/** Returns the free clusters whose rms distance to a plane is at most largest_rms [m].
- */
+/** Returns the free clusters whose points have an rms distance of at most max_rms [m]
+ * to a plane. */
 Indices
 freeClustersNear (const Plane& plane,
-                  double largest_rms,
+                  double max_rms,
                   const OctreeClusters& octree,
                   const std::vector<bool>& is_free)
 {
   Indices near;
   for (std::uint32_t c = 0; c < is_free.size(); ++c)
-    if (is_free[c] && meanSquaredDistance (octree.clusters[c].moments, plane) <=
-                          largest_rms * largest_rms)
+    if (is_free[c] &&
+        meanSquaredDistance (octree.clusters[c].moments, plane) <= max_rms * max_rms)
       near.push_back (c);
   return near;
 }
@@ -82,7 +83,7 @@ rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& octree)
 /** Fits a plane to free clusters, then fits_per_plane times to the free clusters near
  * it, and takes those of the last fit.
  * \param[in] clusters to begin with, all free
- * \param[in] largest_rms of a cluster near the plane [m]
+ * \param[in] max_rms of a cluster near the plane [m]
  * \param[in,out] is_free false for clusters that a plane has taken
  * \return the plane and its clusters; nothing if they span no plane or have fewer than
  * min_count points */
@@ -90,13 +91,13 @@ std::optional<HoughPlane>
 takeClusters (Indices clusters,
               const OctreeClusters& octree,
               double min_count,
-              double largest_rms,
+              double max_rms,
               std::vector<bool>& is_free)
 {
   Moments moments = momentsOfClusters (clusters, octree);
   std::optional<PlaneFit> fit = fitPlane (moments);
   for (int i = 0; i < fits_per_plane && fit; ++i) {
-    clusters = freeClustersNear (fit->plane, largest_rms, octree, is_free);
+    clusters = freeClustersNear (fit->plane, max_rms, octree, is_free);
     moments = momentsOfClusters (clusters, octree);
     fit = fitPlane (moments);
   }
@@ -112,6 +113,7 @@ takeClusters (Indices clusters,
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree)
 {
+  // As published.
   constexpr double edge_weight = 0.75;
   constexpr double count_weight = 0.25;
   const double share_of_points =
@@ -181,7 +183,7 @@ refitPlanes (const std::vector<HoughPlane>& planes,
         takeClusters (std::move (clusters),
                       octree,
                       min_count,
-                      largest_rms_by_theta_h * distance_threshold,
+                      max_rms_by_theta_h * distance_threshold,
                       is_free);
     if (plane)
       refitted.push_back (std::move (*plane));

@@ -18,8 +18,8 @@ struct HoughPlane {
 };
 
 /** \brief Returns the weight of a cluster's votes, 0 to 1: 0.75 times the edge of its
- * node over the edge of the root, plus 0.25 times the share of all points that it has.
- */
+ * node over the edge of the root, plus 0.25 times the share of all points that it has
+ * (Limberger & Oliveira 2015). */
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree);
 

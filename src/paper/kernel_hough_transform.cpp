@@ -18,7 +18,8 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// A cloud is divided into about so many voxels, which tell where planes end.
+// A cloud is divided into about so many voxels, which tell where planes end; chosen by
+// hand.
 constexpr double wanted_voxels = 9000.0;
 
 /** Bounds planes by the voxels of their clusters. Each voxel goes to the plane of the
@@ -53,9 +54,9 @@ releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
 {
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (std::int32_t& plane = planes.plane_of_voxel[i]; plane != no_plane) {
-      const double largest_rms = max_voxel_rms_in_noises * planes.noise[plane];
+      const double max_rms = max_voxel_rms_in_noises * planes.noise[plane];
       if (meanSquaredDistance (grid.moments[i], planes.planes[plane]) >
-          largest_rms * largest_rms)
+          max_rms * max_rms)
         plane = no_plane;
     }
 }
@@ -130,7 +131,8 @@ mergeAndAssignBounded (const Points& points,
 {
   if (hough_planes.empty())
     return {Labels (points.size(), no_plane), {}, 0};
-  // Largest distance of a point to its plane, in units of the plane's noise.
+  // Largest distance of a point to its plane, in units of the plane's noise; chosen by
+  // hand.
   constexpr double assignment_noise_factor = 4.0;
   StageClock clock;
   VoxelGrid grid =

@@ -9,15 +9,15 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Votes end at two standard deviations: largest squared Mahalanobis distance from the
-// mean of the kernel.
-constexpr double largest_squared_deviation = 4.0;
+// Largest squared Mahalanobis distance of a vote from the mean of the kernel: votes end
+// at two standard deviations, as published.
+constexpr double max_squared_deviation = 4.0;
 
 // Votes go no farther than this from the row of the mean [rows], from the likeliest
 // azimuth of a row [patches] and from the likeliest rho of a direction [bins]. In
 // clouds with hardly any noise, kernels of a plane through the center reach all
-// directions, and votes for all directions are of no use. With these limits slightly
-// more planes are found, too.
+// directions, and votes for all directions are of no use. With these limits, chosen by
+// hand, slightly more planes are found, too.
 constexpr double max_directions = 8.0;
 constexpr double max_bins = 32.0;
 
@@ -27,10 +27,12 @@ constexpr double max_bins = 32.0;
 constexpr int max_patches = 1 << 30;
 
 // Lower bound, in planeKernel, of px^2 + py^2 and of rho^2 [m^2], where p = rho normal:
-// so the Jacobian stays finite at the poles and for planes through the center.
-constexpr double smallest_squared_radius = 1e-5;
+// so the Jacobian stays finite at the poles and for planes through the center. The
+// bound is that of the published program.
+constexpr double min_squared_radius = 1e-5;
 
-// Added to the variance of rho [m^2], so that kernels of exact planes have a width.
+// Added to the variance of rho [m^2], as published, so that kernels of exact planes
+// have a width.
 constexpr double min_rho_variance = 1e-5;
 
 /** Converts to int, clamped to low .. high, so that no double overflows. */
@@ -143,7 +145,7 @@ public:
   {
     const double step = space_.directions.phi_step;
     const double reach = // on either side of the mean [rad]
-        std::min (std::sqrt (largest_squared_deviation) * density_.phi_deviation,
+        std::min (std::sqrt (max_squared_deviation) * density_.phi_deviation,
                   max_directions * step);
     const int phi_num = space_.directions.phi_num;
     const int first = clampedToInt (
@@ -166,7 +168,7 @@ private:
     const BallDirections& directions = space_.directions;
     const double phi_offset = row * directions.phi_step - density_.mean_phi;
     const double squared_deviation_left =
-        largest_squared_deviation -
+        max_squared_deviation -
         phi_offset * phi_offset / (density_.phi_deviation * density_.phi_deviation);
     if (squared_deviation_left < 0.0)
       return;
@@ -218,7 +220,7 @@ private:
   {
     const double squared_deviation = density_.squaredDeviation (offset);
     const double squared_deviation_left =
-        std::max (0.0, largest_squared_deviation - squared_deviation);
+        std::max (0.0, max_squared_deviation - squared_deviation);
     const double rho = density_.likeliestRho (offset);
     const double step = space_.rho_step;
     const double reach = std::min (
@@ -291,9 +293,9 @@ private:
     const double rho_offset = space_.rhoOf (bin) - density_.likeliestRho (offset);
     const double squared_deviation = density_.squaredDeviation (offset) +
                                      rho_offset * rho_offset / density_.rho_variance;
-    if (squared_deviation <= largest_squared_deviation)
+    if (squared_deviation <= max_squared_deviation)
       return;
-    const double height = density_.peak * std::exp (-0.5 * largest_squared_deviation);
+    const double height = density_.peak * std::exp (-0.5 * max_squared_deviation);
     addRay (direction, bin, bin + 1, 0.0, 0.0, height);
   }
 
@@ -347,9 +349,10 @@ planeKernel (const PlaneFit& fit,
   const double rho = std::abs (signed_rho);
   const double theta = std::atan2 (normal.y(), normal.x());
   const double horizontal = std::hypot (normal.x(), normal.y());
-  const double guard = std::sqrt (smallest_squared_radius);
+  const double guard = std::sqrt (min_squared_radius);
 
-  // p = rho n, w = px^2 + py^2, q = w + pz^2. The cosine and sine of theta replace
+  // The rows are the derivatives of rho, phi and theta by the point p = rho n of the
+  // plane, with w = px^2 + py^2 and q = w + pz^2. The cosine and sine of theta replace
   // px / sqrt (w) and py / sqrt (w), because they stay defined at the poles.
   const double root_w = std::max (rho * horizontal, guard);
   const double root_q = std::max (rho, guard);

@@ -30,7 +30,8 @@ struct FixedRadiusSearch {
   FixedRadiusSearch (const Coordinates& positions, double radius, unsigned threads)
   : squared_radius (static_cast<float> (radius * radius))
   {
-    // Visiting a voxel takes time even if it is nearly empty.
+    // Visiting a voxel takes time even if it is nearly empty. The number was chosen by
+    // hand; the order of the points, and so the random draws, depend on it.
     constexpr double min_points_per_voxel = 16.0;
     const double max_voxels =
         std::max (1.0, static_cast<double> (positions.size()) / min_points_per_voxel);
@@ -78,7 +79,7 @@ struct FixedRadiusSearch {
   }
 };
 
-/** Number of points drawn for a hypothesis before it is given up. */
+/** Number of points drawn for a hypothesis before it is given up; chosen by hand. */
 constexpr int max_draws = 1000;
 
 std::uint32_t
@@ -101,7 +102,7 @@ struct PlaneSampler {
   std::optional<Moments>
   inliersOf (const FloatPlane& plane, const Indices& sphere)
   {
-    const auto is_inlier = [&] (std::uint32_t i) {
+    const auto isInlier = [&] (std::uint32_t i) {
       return plane.distance (points.x[i], points.y[i], points.z[i]) < threshold;
     };
     const bool counts_sphere =
@@ -111,7 +112,7 @@ struct PlaneSampler {
     unsigned inliers = 0;
     for (unsigned to_draw = parameters.local_samples; to_draw > 0;) {
       samples.push_back (drawFrom (sphere, generator));
-      inliers += is_inlier (samples.back()) ? 1 : 0;
+      inliers += isInlier (samples.back()) ? 1 : 0;
       --to_draw;
       if (inliers + to_draw <= needed)
         return std::nullopt;
@@ -120,15 +121,14 @@ struct PlaneSampler {
     }
     Moments moments;
     for (const std::uint32_t i : counts_sphere ? sphere : samples)
-      if (is_inlier (i))
+      if (isInlier (i))
         moments.add (points.x[i], points.y[i], points.z[i]);
     return moments;
   }
 
   /** One turn of the paper's loop: moments of the inliers of a plane through p_r0, the
    * point origin, if there is one.
-   * \param[in,out] visits number of points examined: draws that give no hypothesis are
-   * added, the points of the sphere are not */
+   * \param[in,out] visits max_draws are added if the draws give no hypothesis */
   std::optional<Moments>
   inliersAround (std::uint32_t origin, const Indices& sphere, double& visits)
   {
@@ -190,8 +190,9 @@ drawHypothesis (const Coordinates& points,
                 double inner_radius,
                 RandomGenerator& generator)
 {
-  // Three points count as a line if the sine of their angle at p_r0 is at most this.
-  constexpr double smallest_sine = 1e-3;
+  // Three points count as a line if the sine of their angle at p_r0 is at most this;
+  // chosen by hand.
+  constexpr double min_sine = 1e-3;
   const Eigen::Vector3d p0 = points[origin];
   // From p_r0 to p_r1; 0 until p_r1 is drawn.
   Eigen::Vector3d first_edge = Eigen::Vector3d::Zero();
@@ -200,7 +201,7 @@ drawHypothesis (const Coordinates& points,
     if (edge.isZero (0.0) || edge.squaredNorm() > inner_radius * inner_radius)
       continue;
     const Eigen::Vector3d cross = first_edge.cross (edge);
-    if (cross.norm() > smallest_sine * first_edge.norm() * edge.norm())
+    if (cross.norm() > min_sine * first_edge.norm() * edge.norm())
       return planeThrough (p0, cross.normalized());
     first_edge = first_edge.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
   }
@@ -220,8 +221,9 @@ sampleLocalPlanes (const Coordinates& points,
   const double max_visits = parameters.max_visits_per_point * size;
   // On a surface a search examines three times as many points as the sphere holds: nine
   // voxels of edge r2 have the area 9 r2^2, the sphere cuts out pi r2^2. In noise it
-  // examines more. An empty sphere takes time, too.
+  // examines more.
   constexpr double examined_per_point_in_sphere = 3.0;
+  // An empty sphere takes time, too: about so many visits, chosen by hand.
   constexpr double visits_per_sphere = 100.0;
   double inliers_of_all = 0.0; // n
   double hypotheses = 0.0;     // k

@@ -29,8 +29,9 @@ struct Spheres {
 };
 
 /** \brief Spheres of radius r2, found by the user's search if one is set, else in a
- * grid of voxels, which takes less time to build than a k-d tree. Both
- * \p input and \p points must outlive the spheres. */
+ * grid of voxels, which takes less time to build than a k-d tree. Both \p input and \p
+ * points must outlive the spheres.
+ * \param[in] radius r2 [m] */
 Spheres
 spheresAround (const DetectorInput& input,
                const Points& points,
@@ -60,8 +61,8 @@ struct LocalPlanes {
   std::size_t hypotheses = 0;
 };
 
-/** \brief Samples planes from small spheres until N_max, K_max or the limit of visited
- * points is reached.
+/** \brief Samples planes from small spheres until N_max, K_max or the limit of visits
+ * (Local::max_visits_per_point) is reached: the paper's Algorithm 2.
  *
  * A sphere with fewer than N_loc points has no plane. As in the paper, a point that a
  * plane has taken may be drawn again: spheres overlap, and merging joins their planes.

@@ -19,9 +19,10 @@ namespace {
 
 // A root cube with an edge [m] below this counts as a single point: in single precision
 // the number of cubes per meter at its deepest levels may be infinite.
-constexpr double smallest_edge = 1e-30;
+constexpr double min_edge = 1e-30;
 
-// Points farther from a node's plane than this share of its edge are dropped.
+// Points farther from a node's plane than this share of its edge are dropped, as
+// published.
 constexpr double dropped_distance_share = 0.1;
 
 // All points are sorted into the nodes of this level in one pass: the codes of its 8^5
@@ -29,7 +30,7 @@ constexpr double dropped_distance_share = 0.1;
 constexpr int sorted_level = 5;
 
 // The threads share the nodes of this level, or of s_level (first_level) if that is
-// nearer to the root.
+// nearer to the root: of up to 64 nodes.
 constexpr int max_start_level = 2;
 
 struct Range {
@@ -42,7 +43,7 @@ struct Range {
 Range
 rangeWithoutStrays (std::vector<float>& values)
 {
-  constexpr double stray_share = 0.02;
+  constexpr double stray_share = 0.02; // chosen by hand
   const double last = static_cast<double> (values.size() - 1);
   const auto stray = static_cast<std::ptrdiff_t> (std::ceil (stray_share * last));
   const auto low = values.begin() + stray;
@@ -59,8 +60,8 @@ Eigen::AlignedBox3d
 boxWithoutOutliers (const Coordinates& points)
 {
   // A sample by the order of the points could miss the surface of every other point.
-  constexpr std::size_t largest_sample = 10000;
-  Coordinates sample = samplePoints (points, largest_sample);
+  constexpr std::size_t max_sample = 10000; // about; chosen by hand
+  Coordinates sample = samplePoints (points, max_sample);
   if (sample.size() == 0) // of equal points the sample has all or none
     sample = points;
   const Range x = rangeWithoutStrays (sample.x);
@@ -113,7 +114,7 @@ sortIntoCubes (const OctreeNode& node,
   const auto half = 0.5f * static_cast<float> (cubes_per_axis);
   const auto last = static_cast<float> (cubes_per_axis - 1);
   const Eigen::Vector3f center = node.center.cast<float>();
-  const auto bits_of_cube = [=] (float coordinate, float center_of_node) {
+  const auto bitsOfCube = [=] (float coordinate, float center_of_node) {
     // A point in the middle of a cube so small that scale is infinite gives NaN, which
     // std::max in this argument order turns into 0.
     const float cube =
@@ -124,9 +125,9 @@ sortIntoCubes (const OctreeNode& node,
   Indices begins ((std::size_t (1) << (3 * levels)) + 1, 0);
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const OctreePoint p = pointAt (i);
-    codes[i] = static_cast<std::uint16_t> (bits_of_cube (p.x, center.x()) |
-                                           bits_of_cube (p.y, center.y()) << 1 |
-                                           bits_of_cube (p.z, center.z()) << 2);
+    codes[i] = static_cast<std::uint16_t> (bitsOfCube (p.x, center.x()) |
+                                           bitsOfCube (p.y, center.y()) << 1 |
+                                           bitsOfCube (p.z, center.z()) << 2);
     ++begins[codes[i] + std::size_t (1)];
   }
   begins[0] = node.begin;
@@ -153,7 +154,8 @@ struct Descent {
   sortedNode (int level, std::size_t code) const
   {
     const double edge = std::ldexp (root.edge, -level);
-    // Codes of the octree are made without key_offset: these are coordinates of cubes.
+    // The codes of these nodes are made of the numbers of cubes along each axis,
+    // without the key_offset of voxels: so this key has just these numbers.
     const VoxelKey cube = shiftedKeyOf (code);
     // In units of the node's edge.
     const Eigen::Vector3d from_corner (cube.x + 0.5, cube.y + 0.5, cube.z + 0.5);
@@ -246,10 +248,10 @@ private:
   std::uint32_t
   dropFarPoints (const OctreeNode& node, const Plane& plane)
   {
-    const double largest_distance = dropped_distance_share * node.edge;
+    const double max_distance = dropped_distance_share * node.edge;
     std::uint32_t end = node.begin;
     for (std::uint32_t i = node.begin; i < node.end; ++i)
-      if (std::abs (plane.distance (points[i].position())) <= largest_distance)
+      if (std::abs (plane.distance (points[i].position())) <= max_distance)
         std::swap (points[end++], points[i]);
     return end;
   }
@@ -271,14 +273,14 @@ sortPoints (const Coordinates& points, OctreeClusters& result)
                         static_cast<std::uint32_t> (outside - order.begin()),
                         result.root.center,
                         result.root.edge};
-  const auto point_at = [&] (std::size_t i) {
+  const auto pointAt = [&] (std::size_t i) {
     const std::uint32_t p = order[i];
     return OctreePoint{points.x[p], points.y[p], points.z[p], p};
   };
   result.points.resize (points.size());
   for (std::size_t i = root.end; i < points.size(); ++i)
-    result.points[i] = point_at (i);
-  return sortIntoCubes (root, sorted_level, point_at, result.points.data());
+    result.points[i] = pointAt (i);
+  return sortIntoCubes (root, sorted_level, pointAt, result.points.data());
 }
 
 } // namespace
@@ -303,7 +305,7 @@ rootCubeOf (const Coordinates& points)
   root.center = sum / static_cast<double> (count);
   const double edge =
       2.0 * (box.max() - root.center).cwiseMax (root.center - box.min()).maxCoeff();
-  root.edge = box.max() == box.min() || edge < smallest_edge ? 0.0 : edge;
+  root.edge = box.max() == box.min() || edge < min_edge ? 0.0 : edge;
   double squared_radius = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (const Eigen::Vector3d point = points[i]; root.holds (point))

@@ -52,10 +52,10 @@ weightedScatter (const CloudView& cloud,
                  const std::vector<float>& squared_distances,
                  std::optional<double> given_sigma)
 {
-  float largest_squared_distance = 0.0f;
+  float max_squared_distance = 0.0f;
   for (const float squared_distance : squared_distances)
-    largest_squared_distance = std::max (largest_squared_distance, squared_distance);
-  const double sigma = given_sigma.value_or (std::sqrt (largest_squared_distance));
+    max_squared_distance = std::max (max_squared_distance, squared_distance);
+  const double sigma = given_sigma.value_or (std::sqrt (max_squared_distance));
   const Eigen::Vector3d position = positionIn (cloud, sample);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const pcl::index_t neighbor : neighbors) {
@@ -97,8 +97,8 @@ normalOfScatter (const Eigen::Matrix3d& scatter)
   const PrincipalAxes axes = principalAxes (scatter);
   // Points in a strip narrower than a thousandth of its length count as a line, because
   // rounding would decide the normal.
-  constexpr double smallest_relative_variance = 1e-6;
-  if (!(axes.values[1] > smallest_relative_variance * axes.values[2]))
+  constexpr double min_relative_variance = 1e-6;
+  if (!(axes.values[1] > min_relative_variance * axes.values[2]))
     return Eigen::Vector3d::Zero();
   return axes.normal;
 }
@@ -115,12 +115,12 @@ orientSamples (const CloudView& cloud,
   // not count as a neighbor (q_ij).
   const auto wanted_neighbors =
       static_cast<int> (std::min (static_cast<std::size_t> (k) + 1, points.size()));
-  constexpr std::size_t samples_per_chunk = 256;
+  constexpr std::size_t samples_per_piece = 256; // of the parallel loop
   std::vector<Eigen::Vector3d> normals (sample.size());
   parallelFor (
       search.threads,
       sample.size(),
-      samples_per_chunk,
+      samples_per_piece,
       [&] (std::size_t begin, std::size_t end) {
         pcl::Indices neighbors;
         std::vector<float> squared_distances;

@@ -109,32 +109,35 @@ onePointRansac (const Candidates& candidates,
   const auto& [samples, free_samples, free_points] = candidates;
   if (free_samples.size() <= parameters.min_samples)
     return std::nullopt;
-  const auto draws_for = [&] (std::size_t inliers, std::size_t among) {
+  const auto drawsFor = [&] (std::size_t inliers, std::size_t among) {
     return requiredDraws (parameters.paper_only.probability,
                           static_cast<double> (inliers) / static_cast<double> (among));
   };
   const Coordinates positions_of_free_samples = selected (samples, free_samples);
-  const Coordinates& voters = free_points ? *free_points : positions_of_free_samples;
+  // The points among which inliers of hypotheses are counted.
+  const Coordinates& counted_points =
+      free_points ? *free_points : positions_of_free_samples;
   std::optional<Plane> best;
   // Planes of theta_N samples or fewer do not count: N_iter starts with the draws for
-  // theta_N inliers, which ends the search where there is no plane.
-  std::size_t most_votes = parameters.min_samples;
-  std::size_t n_iter = draws_for (most_votes, free_samples.size());
+  // theta_N inliers, so that the search ends where there is no plane.
+  std::size_t most_inliers = parameters.min_samples;
+  std::size_t n_iter = drawsFor (most_inliers, free_samples.size());
   for (std::size_t iter = 0; iter < n_iter; ++iter) {
     const std::uint32_t drawn = free_samples[drawBelow (
         generator, static_cast<std::uint32_t> (free_samples.size()))];
     const Plane hypothesis = planeThrough (samples[drawn], samples.normals[drawn]);
     const double theta_h = *parameters.distance_threshold;
-    const std::size_t votes = countWithinDistance (voters, hypothesis, theta_h);
-    if (votes <= most_votes)
+    const std::size_t inlier_count =
+        countWithinDistance (counted_points, hypothesis, theta_h);
+    if (inlier_count <= most_inliers)
       continue;
     const Indices inliers =
         selectWithinDistance (samples, free_samples, hypothesis, theta_h);
     if (inliers.size() <= parameters.min_samples)
       continue;
     best = hypothesis;
-    most_votes = votes;
-    n_iter = draws_for (votes, voters.size());
+    most_inliers = inlier_count;
+    n_iter = drawsFor (inlier_count, counted_points.size());
   }
   return best;
 }

@@ -20,6 +20,7 @@ namespace pcl_ops::internal {
  * are 0. */
 class BallColumns {
 public:
+  /** \param[in] rho_num number of bins of a direction, at least 2 */
   BallColumns (std::size_t directions, int rho_num)
   : columns_ (directions), no_votes_ (static_cast<std::size_t> (rho_num + 2 * margin))
   {}
@@ -63,7 +64,7 @@ public:
   }
 
 private:
-  /** \brief Number of bins beyond either end. */
+  /** \brief Number of bins beyond either end: \ref PeakTest reads two. */
   static constexpr int margin = 2;
 
   /** \brief For each direction its bins, from bin -margin on; empty if unused. */
@@ -115,7 +116,7 @@ private:
     const float height = heights_[direction][bin];
     const float* const heights = heights_[column];
     // Of equally high bins, the lower direction, then the lower bin counts as higher.
-    const auto comes_first = [&] (int other) {
+    const auto comesFirst = [&] (int other) {
       const bool is_mirrored = other < 0; // bin -1 is bin 0 of the opposite direction
       const std::uint32_t other_direction =
           is_mirrored ? directions_.opposite (column) : column;
@@ -123,7 +124,7 @@ private:
       return std::tie (other_direction, other_bin) < std::tie (direction, bin);
     };
     for (int other = bin - 2; other <= bin + 2; ++other)
-      if (heights[other] > height || (heights[other] == height && comes_first (other)))
+      if (heights[other] > height || (heights[other] == height && comesFirst (other)))
         return false;
     return true;
   }
@@ -202,8 +203,8 @@ private:
   BallColumns
   smoothedVotes () const
   {
-    constexpr float own_weight = 0.2f;
-    constexpr float neighbor_weight = 0.1333f;
+    constexpr float own_weight = 0.2f;         // as published
+    constexpr float neighbor_weight = 0.1333f; // as published
     const BallDirections& directions = space.directions;
     BallColumns smoothed (directions.size(), space.rho_num);
     for (std::uint32_t direction = 0; direction < directions.size(); ++direction) {
@@ -237,15 +238,15 @@ private:
   votersAround (std::uint32_t direction, int bin) const
   {
     std::vector<std::uint32_t> voters;
-    const auto add_voters_of = [&] (std::uint32_t column, int first, int last) {
+    const auto addVotersOf = [&] (std::uint32_t column, int first, int last) {
       for (const VoterRange& range : voters_[column])
         if (range.begin <= last && range.end > first)
           voters.push_back (range.voter);
     };
     for (const std::uint32_t near : space.directions.around (direction)) {
-      add_voters_of (near, bin - 1, bin + 1);
+      addVotersOf (near, bin - 1, bin + 1);
       if (bin == 0)
-        add_voters_of (space.directions.opposite (near), 0, 0);
+        addVotersOf (space.directions.opposite (near), 0, 0);
     }
     std::sort (voters.begin(), voters.end());
     voters.erase (std::unique (voters.begin(), voters.end()), voters.end());

@@ -111,10 +111,10 @@ struct PlanRoom {
   /** \brief Both ends of each part of the outline without a wall, in the frame of the
    * plan [m]. Parts shorter than 5 cm are left out. */
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> unseen;
-  /** \brief Height of the floor, along up from the origin of the planes' frame [m]; not
-   * set if it was not seen. */
+  /** \brief Height of the floor: its z in the frame of the plan [m]; not set if it was
+   * not seen. */
   std::optional<double> floor;
-  /** \brief Height of the ceiling, as of the floor. */
+  /** \brief The same of the ceiling. */
   std::optional<double> ceiling;
   /** \brief A position inside the room, for a label, in the frame of the plan [m]. */
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
@@ -122,13 +122,13 @@ struct PlanRoom {
 
 /** \brief A floor plan: a horizontal cut through a building. */
 struct FloorPlan {
-  /** \brief Transforms from the frame of the planes to the frame of the plan, in
-   * meters: x and y are coordinates in the plan, z is the height. If up is the z axis,
-   * the axes of both frames are parallel. */
+  /** \brief Rotates from the frame of the planes to the frame of the plan, and scales
+   * to meters: x and y of the result are coordinates in the plan, z is the height. Both
+   * frames have the same origin. If up is the z axis, their axes are parallel. */
   Eigen::Matrix3d to_plan = Eigen::Matrix3d::Identity();
-  /** \brief Height of the floor below the cut [m]. */
+  /** \brief Height of the floor below the cut: its z in the frame of the plan [m]. */
   double floor = 0.0;
-  /** \brief Height of the cut [m]. */
+  /** \brief Height of the cut, as of the floor. */
   double height = 0.0;
   std::vector<PlanWall> walls;
   /** \brief Rooms by descending area; empty if there are more than 1000 walls. */

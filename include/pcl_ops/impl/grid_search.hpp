@@ -4,5 +4,7 @@
 
 #include <pcl_ops/grid_search.h>
 
+// Compiles GridSearch for the point type T, as PCL_INSTANTIATE asks for. The template
+// itself is wholly in the header above.
 #define PCL_INSTANTIATE_GridSearch(T)                                                  \
   template class PCL_OPS_EXPORT pcl_ops::GridSearch<T>;

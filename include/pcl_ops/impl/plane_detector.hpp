@@ -73,9 +73,9 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 
 } // namespace pcl_ops::detail
 
-// Instantiates the functions that depend only on the point type. The detector classes
-// (54 for 18 point types, with some 40 one-line functions each) are instantiated where
-// they are used.
+// Compiles the functions that depend only on the point type, for the type T. The
+// detector classes (54 for 18 point types, with some 40 one-line functions each) are
+// instantiated where they are used.
 #define PCL_INSTANTIATE_PlaneDetector(T)                                               \
   template PCL_OPS_EXPORT pcl_ops::detail::DetectorInput                               \
   pcl_ops::detail::detectorInput<T> (const pcl::PointCloud<T>::ConstPtr&,              \

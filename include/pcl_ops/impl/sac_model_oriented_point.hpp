@@ -97,5 +97,6 @@ SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
 
 } // namespace pcl_ops
 
+// Compiles the model for the point type T, as PCL_INSTANTIATE asks for.
 #define PCL_INSTANTIATE_SampleConsensusModelOrientedPoint(T)                           \
   template class PCL_OPS_EXPORT pcl_ops::SampleConsensusModelOrientedPoint<T>;

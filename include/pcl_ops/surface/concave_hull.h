@@ -15,15 +15,16 @@ namespace pcl_ops {
  * eight attempts the result is the convex hull. Holes are areas without points, wide
  * enough for a circle of this radius. Points well inside are thinned first.
  * \param[in] points in any order; points with a NaN or infinite coordinate are left out
- * \param[in] alpha the first radius [m]; 0: six times the mean distance between
- * neighboring points
+ * \param[in] alpha the first radius [m]; 0, less or NaN: six times the mean distance
+ * between neighboring points
  * \return the outer ring, then the holes by descending area; empty if the points span
  * no area */
 PCL_OPS_EXPORT PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha = 0.0);
 
 /** \brief The same as \ref planeExtent, but with the outline and the holes of \ref
- * concaveOutline instead of the convex hull. */
+ * concaveOutline instead of the convex hull.
+ * \throw std::invalid_argument if an inlier is not an index into the cloud */
 PCL_OPS_EXPORT PlaneExtent
 concavePlaneExtent (const CloudView& cloud,
                     const PlaneSegment& plane,
