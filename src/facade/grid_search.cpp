@@ -5,7 +5,7 @@
 
 #include <pcl_ops/impl/grid_search.hpp>
 
-// Compiles the template for the point types that PCL was built for.
+// Compiles GridSearch for the point types that PCL was built for.
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES
 PCL_INSTANTIATE (

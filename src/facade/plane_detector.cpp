@@ -48,7 +48,8 @@ runAndReport (const std::string& class_name, const std::function<void()>& detect
 
 } // namespace pcl_ops::detail
 
-// Compiles the template for the point types that PCL was built for.
+// Compiles the functions of the header above that depend on the point type, for the
+// point types that PCL was built for.
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES
 PCL_INSTANTIATE (

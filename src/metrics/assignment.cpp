@@ -13,8 +13,9 @@ using Index = Eigen::Index;
 constexpr Index none = -1;
 
 /** The assigned pairs of the rows added so far, and prices (dual variables) that prove
- * them optimal. The cost of a pair is its negative benefit. The reduced cost, less both
- * prices, is zero for each assigned pair, and not negative for any other pair. */
+ * them optimal. The cost of a pair is its negative benefit, its reduced cost is this
+ * less the prices of row and column. The reduced cost is zero for each assigned pair,
+ * and not negative for any other pair. */
 struct Assignment {
   explicit Assignment (const Eigen::MatrixXd& all_benefits)
   : benefit (all_benefits)

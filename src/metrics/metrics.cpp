@@ -97,6 +97,8 @@ instanceMetrics (const Matching& matching)
 
 // An array has no destructor to run: Python threads may still compare at program exit.
 using ClassLimits = std::array<double, 5>;
+// The limits are chosen by hand; their values are part of published names
+// (namedCounts).
 constexpr ClassLimits limits_of_points{200, 500, 1000, 3000, 10'000}; // [points]
 constexpr ClassLimits limits_of_width{0.03, 0.06, 0.12, 0.25, 1.0};   // [m]
 

@@ -21,7 +21,9 @@ using XyzCloud = pcl::PointCloud<pcl::PointXYZ>;
 /** The plane label of each point of a cloud; 0: on no plane. */
 using PlaneLabels = std::vector<std::uint32_t>;
 
-/** Returns labels 1 .. P for the points of P disjoint planes, and 0 for all others. */
+/** Returns labels 1 .. P for the points of P disjoint planes, and 0 for all others.
+ * \param[in] planes indices of points, all from 0 to \p points - 1
+ * \param[in] points number of points of the cloud */
 PlaneLabels
 labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points);
 
@@ -29,7 +31,7 @@ labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points);
 pcl::Indices
 finitePointsOf (const XyzCloud& cloud);
 
-/** Returns the labels of the points of these indices. */
+/** Returns the labels of the points with these indices. */
 PlaneLabels
 selectLabels (const PlaneLabels& labels, const pcl::Indices& points);
 
@@ -52,6 +54,7 @@ struct PlaneIds {
   }
 };
 
+/** Numbers the planes of a labeling by ascending labels. */
 PlaneIds
 planeIds (const PlaneLabels& labels);
 
@@ -112,6 +115,8 @@ struct Confusion {
   }
 };
 
+/** Counts the points that two labelings of the same points have in common.
+ * \param[in] truth,result a label for each point, in the same order */
 Confusion
 confusionOf (const PlaneLabels& truth, const PlaneLabels& result);
 

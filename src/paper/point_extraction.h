@@ -28,8 +28,8 @@ struct Candidates {
   /** \brief Indices of the free samples, ascending. */
   Indices free_samples;
   /** \brief The free ones of all points, if inliers of hypotheses are counted among
-   * them (Verification::AllPoints, the paper's "using all points for verification");
-   * nullptr if inliers are counted among the free samples. */
+   * them (Verification::AllPoints, the paper's "use all points for hypotheses
+   * verification"); nullptr if inliers are counted among the free samples. */
   Coordinates* free_points = nullptr;
 };
 

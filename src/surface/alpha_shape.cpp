@@ -49,12 +49,12 @@ integerPointsOf (const PlanarPoints& points)
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& point : points)
     box.extend (point);
-  constexpr double largest_integer = 1U << 30U;
+  constexpr double max_integer = 1U << 30U;
   const double half_extent = 0.5 * box.sizes().maxCoeff();
   IntegerPoints integers;
   if (!(half_extent > 0.0))
     return integers;
-  integers.scale = largest_integer / half_extent;
+  integers.scale = max_integer / half_extent;
   for (const Eigen::Vector2d& point : points) {
     const Eigen::Vector2d scaled_point = integers.scale * (point - box.center());
     integers.sites.emplace_back (

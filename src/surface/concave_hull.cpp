@@ -147,13 +147,15 @@ scaled (double factor, PlanarPoints points)
   return points;
 }
 
-/** \brief Largest share of all points that the convex hull leaves outside as strays. */
+/** \brief Largest share of all points that the convex hull leaves outside as strays:
+ * half of what may be outside in the end. */
 constexpr double max_outside_convex = 0.005;
 
 /** \brief Smallest share of all points that an outline must have inside. */
 constexpr double min_inside = 0.99;
 
-/** \brief The alpha that is tried first, in units of the spacing of the points. */
+/** \brief The alpha that is tried first, in units of the spacing of the points. This
+ * number and the next ones are chosen by hand, if no reason stands beside them. */
 constexpr double spacings_per_alpha = 6.0;
 
 /** \brief Number of cells along a length of alpha when points are thinned. */

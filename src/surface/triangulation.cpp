@@ -15,8 +15,9 @@ namespace {
 
 using namespace internal;
 
-/** \brief A counter-clockwise ring, by the indices of its corners in a list of corners.
- * In this file a position is an index into the ring itself. */
+/** \brief A counter-clockwise ring (holes, until they are joined to it: clockwise), by
+ * the indices of its corners in a list of corners. In this file a position is an index
+ * into the ring itself. */
 using CornerIndices = std::vector<std::size_t>;
 
 /** \brief Where a ray meets a ring: a side, by the position of its first corner in the
@@ -206,8 +207,8 @@ clipEars (CornerIndices ring, const PlanarPoints& corners)
     if (ear)
       triangles.push_back (triangleAt (ring, *ear));
     ring.erase (ring.begin() + *clipped);
-    position =
-        *clipped + 1; // skip a corner: else all triangles would meet in one corner
+    // Skip a corner: else all triangles would meet in one corner.
+    position = *clipped + 1;
   }
   return triangles;
 }

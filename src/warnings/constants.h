@@ -8,7 +8,8 @@
 namespace pcl_ops::internal {
 
 /** \brief The limits beyond which results are doubtful. Ordinary clouds do not reach
- * them, because users stop reading a warning that is often wrong. */
+ * them, because users stop reading a warning that is often wrong. Limits without a
+ * reason beside them are chosen by hand. */
 struct WarningConstants {
   // Planes thicker than their surroundings.
   /** \brief A thick plane has an rms distance of its points above this many times its
@@ -31,7 +32,7 @@ struct WarningConstants {
 
   // Coordinates in single precision.
   /** \brief Largest step from one number to the next, as a share of the spacing of the
-   * points. */
+   * points: rounding then moves a point by up to an eighth of the spacing. */
   double max_step_of_spacing = 0.25;
 
   // Exact planes, those of rms distance 0, one behind another: the levels of a depth
@@ -42,9 +43,8 @@ struct WarningConstants {
   /** \brief Smallest number of points of a level: levels of an image have thousands of
    * pixels, a face of a model may have any number. */
   double min_points_of_level = 1000;
-  /** \brief Smallest number of levels: two planes may be the sides of a wall in a
-   * model.
-   */
+  /** \brief Smallest number of levels, because two exact planes may be the sides of a
+   * wall in a model. */
   std::size_t min_levels = 3;
   /** \brief The distance between levels is below this share of their width; that of
    * stairs is not. */

@@ -185,7 +185,7 @@ warnOfUnit (const LabeledSample& sample,
         "feet",
         "the reference system of the file is in feet, kinds and floor plans are made "
         "by rules in meters; give " +
-            meterText ("3.2808", text)};
+            meterText ("3.2808", text)}; // feet per meter
   if (sample.labels.empty())
     return std::nullopt;
   if (looksLikeDegrees (sample))
@@ -274,14 +274,14 @@ warnOfUp (const LabeledSample& sample,
                          "the planes cannot tell which way is up, and kinds of planes "
                          "are those of " +
                              used_up + "; give " + up_parameter};
-  const auto is_floor = [&] (const PlaneSegment& plane) {
+  const auto isFloor = [&] (const PlaneSegment& plane) {
     return isFloorAlong (context.up, plane, sample);
   };
-  const auto is_up_ahead_of_camera = [&] {
+  const auto isUpAheadOfCamera = [&] {
     return looksLikeCamera (sample) &&
-           std::none_of (planes.begin(), planes.end(), is_floor);
+           std::none_of (planes.begin(), planes.end(), isFloor);
   };
-  const bool is_doubtful = context.suggested_up || is_up_ahead_of_camera();
+  const bool is_doubtful = context.suggested_up || isUpAheadOfCamera();
   if (!is_doubtful)
     return std::nullopt;
   return ResultWarning{

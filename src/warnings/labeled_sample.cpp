@@ -10,8 +10,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief For each point of a cloud of so many points the position of its plane, or
- * no_plane. */
+/** \brief For each point of a cloud of so many points the position of its plane in the
+ * list of planes, or no_plane.
+ * \throw std::invalid_argument if an inlier is no point of the cloud */
 Labels
 labelsOfPoints (std::size_t points, const std::vector<PlaneSegment>& planes)
 {

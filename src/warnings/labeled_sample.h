@@ -20,9 +20,9 @@ struct LabeledSample {
   Labels labels;
   /** \brief Zero of the frame of \ref points, in the frame of the planes [m]. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  /** \brief How many points of the whole cloud are finite, and how many are on planes.
-   */
+  /** \brief Number of finite points of the whole cloud. */
   std::size_t finite_points = 0;
+  /** \brief Number of points of the whole cloud that are on planes. */
   std::size_t points_on_planes = 0;
 
   /** \brief Position of a sampled point, by its index, in the frame of the planes. */

@@ -60,8 +60,8 @@ roundedLength (double length)
 std::string
 roundedUpLength (double length)
 {
-  constexpr double smallest = 1e-6;
-  const double bounded = std::max (length, smallest);
+  constexpr double min_length = 1e-6; // a length of 0 has no first digit
+  const double bounded = std::max (length, min_length);
   const double unit = unitOfFirstDigit (bounded);
   constexpr double rounding = 1e-9; // 0.3 / 0.1 is rounded to a number below 3
   return numberText ((std::floor (bounded / unit + rounding) + 1.0) * unit);

@@ -184,7 +184,8 @@ mayBeOnBoth (const Eigen::Vector3d& point,
          std::abs (other.plane.distance (point)) <= max_distance;
 }
 
-/** \brief Counts the nearest neighbors of some searched_points sampled points. */
+/** \brief Counts the nearest neighbors of up to searched_points of the sampled points.
+ * \param[in] planes the spread of each plane, in the order of the sample's labels */
 NeighborCounts
 countNeighbors (const LabeledSample& sample, const std::vector<PlaneSpread>& planes)
 {
@@ -293,12 +294,12 @@ warnOfMixedLabels (const LabeledSample& sample,
   const auto mixed = static_cast<double> (counts.mixed);
   if (counts.mixed == 0 || mixed < warning_constants.min_mixed_share * all)
     return std::nullopt;
-  const auto has_fewer_mixed = [] (const auto& one, const auto& other) {
+  const auto hasFewerMixed = [] (const auto& one, const auto& other) {
     return one.second < other.second;
   };
   const PlanePair most_mixed = std::max_element (counts.mixed_of_planes.begin(),
                                                  counts.mixed_of_planes.end(),
-                                                 has_fewer_mixed)
+                                                 hasFewerMixed)
                                    ->first;
   const auto [first, second] = most_mixed;
   const double distance = distanceBetween (spreads[first], spreads[second]);

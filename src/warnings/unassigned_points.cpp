@@ -21,7 +21,7 @@ struct OtherSearch {
 };
 
 /** \brief Searches that each have the default of one parameter in place of the given
- * value. Only parameters whose given values may keep points off planes have one. */
+ * value: one for each parameter whose given value may keep points off planes. */
 std::vector<OtherSearch>
 searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
 {
@@ -66,8 +66,8 @@ std::vector<float>
 unassignedAround (const Points& points, const Indices& unassigned, std::uint32_t center)
 {
   Indices nearest = unassigned;
-  const auto is_nearer = [&, position = points[center]] (std::uint32_t one,
-                                                         std::uint32_t other) {
+  const auto isNearer = [&, position = points[center]] (std::uint32_t one,
+                                                        std::uint32_t other) {
     return (points[one] - position).squaredNorm() <
            (points[other] - position).squaredNorm();
   };
@@ -76,7 +76,7 @@ unassignedAround (const Points& points, const Indices& unassigned, std::uint32_t
   std::nth_element (nearest.begin(),
                     nearest.begin() + static_cast<std::ptrdiff_t> (count - 1),
                     nearest.end(),
-                    is_nearer);
+                    isNearer);
   nearest.resize (count);
   std::sort (nearest.begin(), nearest.end());
   std::vector<float> positions;
@@ -104,8 +104,8 @@ unassignedPoints (const Points& points,
 }
 
 /** \brief Whether points on no plane lie on planes if parts of them are searched
- * without the other points, as the sides of a thin wall do and trees do not. If so, a
- * search of the whole cloud is worth its time. */
+ * without the points on planes, as the sides of a thin wall do and trees do not. If so,
+ * a search of the whole cloud is worth its time. */
 bool
 areUnassignedPointsFlat (const CloudView& cloud,
                          const std::vector<PlaneSegment>& planes,

@@ -25,8 +25,8 @@ struct PCLHeader {};
 
 struct PCLPointField {
   // clang-format off
-  enum PointFieldTypes { INT8 = 1, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64,
-                         INT64, UINT64, BOOL };
+  enum PointFieldTypes { INT8 = 1, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32,
+                         FLOAT64, INT64, UINT64, BOOL }; // PCL's numbers
   // clang-format on
   std::string name;
   uindex_t offset = 0;
@@ -111,7 +111,8 @@ struct GlasbeyLUT {
   at (std::size_t i)
   {
     constexpr double golden_section = 0.6180339887498949;
-    constexpr double darker = 0.65, full = 255.0;
+    constexpr double darker = 0.65; // chosen by eye
+    constexpr double full = 255.0;
     const double brightness = i % 2 == 0 ? full : darker * full;
     // A channel is full within a sixth of a turn of its own hue and 0 from a third on.
     const auto channel = [&] (double hue_of_channel) {
@@ -124,8 +125,9 @@ struct GlasbeyLUT {
   }
 };
 
-/** \brief A scale of 256 colors in place of PCL's: from dark violet over green to
- * yellow, each lighter than the one before. */
+/** \brief A scale of 256 colors in place of PCL's, index 0 to 255: from dark violet
+ * over green to yellow, each lighter than the one before. The colors are chosen by eye.
+ */
 struct ViridisLUT {
   static RGB
   at (std::size_t i)
@@ -173,10 +175,14 @@ struct PointCloud {
   using ConstPtr = std::shared_ptr<const PointCloud>;
 
   PointCloud() = default;
+  /** \brief Copies the points with these indices, in their order. */
   PointCloud (const PointCloud& other, const Indices& indices)
+  : is_dense (other.is_dense)
+  , sensor_origin_ (other.sensor_origin_)
+  , sensor_orientation_ (other.sensor_orientation_)
   {
     for (const index_t i : indices)
-      points.push_back (other[static_cast<std::size_t> (i)]);
+      push_back (other[static_cast<std::size_t> (i)]);
   }
 
   // clang-format off
