@@ -192,7 +192,8 @@ struct PCL_OPS_EXPORT PlaneSegment {
     return planeThrough (centroid, normal);
   }
 
-  /** \brief Root mean square distance of the inliers to the plane [m]. */
+  /** \brief Root mean square distance of the inliers to the plane, from \ref moments
+   * [m]; 0 without inliers. */
   double
   rms () const;
 

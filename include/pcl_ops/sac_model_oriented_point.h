@@ -38,7 +38,8 @@ public:
                                      const pcl::Indices& indices,
                                      bool random = false);
 
-  /** \brief Seeds the random draws and restarts them, which PCL's own models cannot. */
+  /** \brief Seeds the random draws and restarts them: equal seeds give equal samples.
+   * PCL's own models have only a fixed seed and one from the clock. */
   void
   setSeed (std::uint32_t seed);
 

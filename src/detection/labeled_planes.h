@@ -89,8 +89,8 @@ dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
  * small ones, names orientations, and turns normals of unseen planes up.
  * \param[in] detect the detector, called as (points, durations), returns
  * LabeledPlanes; not called without finite points
- * \param[in] step the local origin is a multiple of it [m]; 0: \ref finitePoints
- * chooses one */
+ * \param[in] step the local origin is a multiple of it [m], so that voxels of a given
+ * size begin at the same places in both frames; 0: \ref finitePoints chooses one */
 template <typename Detect>
 Detection
 detectInFinitePoints (const DetectorInput& input,

@@ -124,8 +124,9 @@ struct PoseEstimate {
                                        Eigen::Vector2d::Zero());
     mismatch.covariance = of_fixed * covarianceOf (fixed) * of_fixed.transpose() +
                           of_seen * covarianceOf (seen) * of_seen.transpose();
-    // A rotation moves the center of the second patch by its cross product with this
-    // vector.
+    // A rotation r turns the normal n by r x n, and so the slope along an axis a by
+    // -(n x a) . r. It moves the center by r x lever, and so the height by
+    // (lever x n) . r.
     const Vector3d lever = second.center - pose.translation();
     mismatch.by_motion.setZero();
     mismatch.by_motion.row (0).head<3>() = -normal.cross (axes.col (0));
