@@ -171,7 +171,7 @@ assignToUnboundedPlanes (const Coordinates& points,
 void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads)
 {
-  constexpr std::size_t labels_per_piece = 65536;
+  constexpr std::size_t labels_per_piece = 65536; // of the parallel loop
   const auto replace = [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (labels[i] != no_plane)

@@ -16,9 +16,9 @@ extractPlanes (const Points& points,
                const OrientedPointSamplingParameters& parameters)
 {
   // A plane needs more samples than min_samples (theta_N), and three to be fitted.
-  constexpr unsigned smallest_min_samples = 2;
+  constexpr unsigned lowest_theta_n = 2;
   RansacParameters ransac = parameters;
-  ransac.min_samples = std::max (smallest_min_samples, parameters.min_samples);
+  ransac.min_samples = std::max (lowest_theta_n, parameters.min_samples);
   RandomGenerator generator (parameters.seed);
   const PaperParameters& paper = parameters.paper_only;
   const bool on_all_points =

@@ -226,6 +226,8 @@ KernelHoughTransformParameters::paper()
 std::string
 validate (const KernelHoughTransformParameters& parameters)
 {
+  // They bound the memory: the ball has up to 1.3 million directions (4 / pi
+  // max_phi^2), and a direction in use has rho_num bins of 4 bytes.
   constexpr int max_phi = 1000;
   constexpr int max_rho = 10000;
   // Limits the depth of recursive calls. Nodes of deeper levels would be smaller than

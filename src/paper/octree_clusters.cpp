@@ -17,8 +17,9 @@
 namespace pcl_ops::internal {
 namespace {
 
-// A root cube with an edge [m] below this counts as a single point: in single precision
-// the number of cubes per meter at its deepest levels may be infinite.
+// A root cube with an edge [m] below this counts as a single point: from this edge on,
+// the number of cubes per meter is finite in single precision down to level 20, the
+// default of max_level.
 constexpr double min_edge = 1e-30;
 
 // Points farther from a node's plane than this share of its edge are dropped, as

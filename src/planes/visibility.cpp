@@ -104,7 +104,7 @@ sightingsFrom (const Eigen::Vector3d& position,
   }
   std::sort (sightings.begin(), sightings.end());
   // A sensor may give all missing readings one position: of equal sightings only so
-  // many are kept.
+  // many are kept. The number is chosen by hand.
   constexpr std::size_t max_equal = 256;
   std::size_t kept = 0;
   for (const Sighting& sighting : sightings)
@@ -146,7 +146,7 @@ bool
 isEdgeOn (const PlaneSegment& plane, const Eigen::Vector3d& position)
 {
   // Sine of the angle between the plane and the direction to its centroid: of 1.1
-  // degrees.
+  // degrees; chosen by hand.
   constexpr double min_sine = 0.02;
   return std::abs (plane.plane().distance (position)) <
          min_sine * (plane.centroid - position).norm();
@@ -157,7 +157,7 @@ isEdgeOn (const PlaneSegment& plane, const Eigen::Vector3d& position)
 bool
 isFarFrom (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& position)
 {
-  constexpr double max_distance = 500.0; // in units of scene_size
+  constexpr double max_distance = 500.0; // in units of scene_size; chosen by hand
   const Eigen::Vector3d& center = planes.front().centroid;
   // The largest distance of a plane from the center, with the extent of the plane [m].
   double scene_size = 0.0;
@@ -204,7 +204,7 @@ bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
 {
   // From the position of a sensor few points are occluded. Up to this fraction the
-  // points were surely measured from the viewpoint.
+  // points were surely measured from the viewpoint. Both fractions are chosen by hand.
   constexpr double max_sure_fraction = 0.01;
   // Up to this fraction they probably were, if the steps between directions cannot
   // tell.
