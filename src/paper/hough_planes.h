@@ -29,8 +29,8 @@ clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree);
  * \param[in] phi_num steps of the accumulator from pole to pole
  * \param[in] rho_num steps of the accumulator from its center to the farthest of the
  * points in the root cube (RootCube::radius)
- * \return planes at the centers of their bins, by descending sum of the weights of their
- * clusters; planes may share clusters */
+ * \return planes at the centers of their bins, by descending sum of the weights of
+ * their clusters; planes may share clusters */
 std::vector<HoughPlane>
 voteForPlanes (const OctreeClusters& octree, int phi_num, int rho_num);
 
