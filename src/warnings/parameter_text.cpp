@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <locale>
-#include <map>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -18,13 +19,15 @@ namespace {
 std::string
 pythonNameOf (std::string option)
 {
-  static const std::map<std::string, std::string> python_names = {
+  // An array has no destructor to run: Python threads may still warn at program exit.
+  constexpr std::pair<std::string_view, std::string_view> python_names[] = {
       {"threshold", "distance_threshold"},
       {"merge-distance", "merging_distance_threshold"},
       {"min-inliers", "min_samples"},
       {"voxel-size", "surfels_voxel_size"}};
-  if (const auto found = python_names.find (option); found != python_names.end())
-    return found->second;
+  for (const auto& [of_option, python_name] : python_names)
+    if (option == of_option)
+      return std::string (python_name);
   std::replace (option.begin(), option.end(), '-', '_');
   return option;
 }
