@@ -169,7 +169,8 @@ openLas (const std::string& file);
  * \p file is a .laz. A field replaces one of the same name and type; all other data are
  * kept.
  * \param[in] columns with fields that LasFile::validate allows
- * \throws WorkError if the file of \p las has become shorter since it was opened */
+ * \throws WorkError if \p file is a .laz and this build has no LASzip, or if the file of
+ * \p las has become shorter since it was opened; and as \ref writeFile */
 void
 saveLasWith (const std::string& file,
              LasFile& las,
@@ -220,7 +221,8 @@ hasLaszip ();
 void
 decompressLaz (const std::string& file, std::ostream& stream);
 
-/** \brief Writes the LAS \p file with compressed points; all other data are kept.
+/** \brief Writes a LAZ: the LAS \p file with compressed points and a VLR on these. All
+ * other data are kept.
  * \param[in] stream at its beginning; must be seekable, as the header is written once
  * more after the points
  * \throws WorkError as \ref decompressLaz, Interrupted */

@@ -27,8 +27,8 @@ constexpr char without_chunks = 1;
 failDamagedPoints (const std::string& file)
 {
   throw WorkError (file,
-                   "is truncated or damaged: its points cannot be decompressed; copy "
-                   "or write it again");
+                   "is truncated or damaged: its points cannot be converted by LASzip; "
+                   "copy or write it again");
 }
 
 /** \brief A handle of LASzip, for a reader or a writer. */
@@ -78,7 +78,7 @@ struct Laszip {
                          "one");
   }
 
-  /** \brief Name for messages. */
+  /** \brief The name of the file in messages. */
   std::string file;
   laszip_POINTER handle = nullptr;
 
@@ -90,7 +90,8 @@ private:
   {
     laszip_CHAR* reason = nullptr;
     laszip_get_error (handle, &reason);
-    // LASzip reports a failed allocation like this.
+    // LASzip reports any exception in its own code like this: that of an allocation, as
+    // checkCompression refuses files at which other code would throw.
     if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
       throw std::bad_alloc();
   }
@@ -119,9 +120,10 @@ enum class Conversion { Compress, Decompress };
 void
 convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
 {
+  // The name in messages is the path, too: both callers open the file itself.
   const std::string& file = las.file;
-  constexpr std::uint64_t points_between_checks = 1U << 14U;
-  constexpr laszip_BOOL write_no_header = 1;
+  constexpr std::uint64_t points_between_checks = 1U << 14U; // a few milliseconds
+  constexpr laszip_BOOL write_no_header = 1;                 // the caller writes it
   const Laszip reader (file);
   Laszip writer (file);
   laszip_BOOL is_compressed = 0;
@@ -160,8 +162,7 @@ checkedLaszipContent (LasFile& las, const LasVlr& laszip)
   constexpr std::size_t options_begin = 4, options_end = 32;
   constexpr std::size_t items_begin = 34, item_length = 6;
   constexpr std::size_t version_in_item = 4, version_length = 2;
-  constexpr unsigned last_format_without_chunks =
-      5; // points of newer ones are in chunks
+  constexpr unsigned last_format_without_chunks = 5; // newer ones need chunks
   std::string expected = newLaszipVlr (las).substr (laszip.content - laszip.begin);
   if (laszip.contentSize() != expected.size())
     failDamagedPoints (las.file);
@@ -191,9 +192,9 @@ checkCompression (LasFile& las)
     LasHeader::UInt32 version, chunk_count;
   };
   constexpr std::uint64_t chunk_size_in_content = 12; // offset [bytes]
-  // The value of the chunk size if chunks have different numbers of points, and that of
-  // the offset of the table if this offset is at the end of the file.
+  // The chunk size of a file whose chunks have different numbers of points.
   constexpr std::uint32_t sizes_differ = std::numeric_limits<std::uint32_t>::max();
+  // The offset of the table in front of the chunks, if the true one ends the file.
   constexpr std::uint64_t table_offset_at_end =
       std::numeric_limits<std::uint64_t>::max();
   if (checkedLaszipContent (las, *las.laszip)[0] == without_chunks)
@@ -295,7 +296,8 @@ decompressLaz (const std::string& file, std::ostream&)
 void
 compressLas (const std::string& file, std::ostream& stream)
 {
-  decompressLaz (file, stream); // throws the same error
+  // saveLasWith refuses a .laz before it calls this: only tests get here.
+  decompressLaz (file, stream); // throws
 }
 
 bool

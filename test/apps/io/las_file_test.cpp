@@ -261,6 +261,17 @@ TEST_F (LasFileTest, IsCalledInMessagesAsTheFileItWasDecompressedFrom)
   EXPECT_EQ (beyond_end.find ("a.laz: is truncated"), 0u);
 }
 
+TEST_F (LasFileTest, IsNotWrittenAsLazWithoutLaszip)
+{
+  if (hasLaszip())
+    GTEST_SKIP() << "LASzip does it";
+  LasFile las (folder_.write ("a.las", lasBytes ({})));
+  EXPECT_EQ (complaintOf ([&] {
+               saveLabeledLas ("b.laz", las, {1, 2});
+             }),
+             "b.laz: is a .laz, and this build has no LASzip; give a .las");
+}
+
 TEST_F (LasFileTest, SaysHowToDecompressLaz)
 {
   if (hasLaszip())
