@@ -6,8 +6,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
+#include <locale>
+#include <sstream>
 #include <system_error>
 #include <type_traits>
 
@@ -36,12 +37,16 @@ readFloat (std::string_view text, Float& number)
   const auto [rest, error] = std::from_chars (text.data(), end, number);
   if (error != std::errc::result_out_of_range)
     return error == std::errc() && rest == end;
-  // from_chars stores nothing if the number is too large or too small; then strtof and
-  // strtod return infinity or the nearest number of the type.
-  number = static_cast<Float> (std::is_same_v<Float, float>
-                                   ? std::strtof (text.data(), nullptr)
-                                   : std::strtod (text.data(), nullptr));
-  return rest == end && !std::isinf (std::strtod (text.data(), nullptr));
+  // from_chars stores nothing if the number is too large or too small. A stream does,
+  // and takes a point for the decimal point in any locale, as strtod does not.
+  std::istringstream stream{std::string (text)};
+  stream.imbue (std::locale::classic());
+  double nearest = 0.0; // the largest double if the number is too large
+  stream >> nearest;
+  number = static_cast<Float> (nearest);
+  // Some streams fail for a number that is too small, too.
+  const bool is_too_large = !stream && std::abs (nearest) > 1.0;
+  return rest == end && !is_too_large;
 }
 
 /** \brief Reads an integer, or cuts off the decimals of another number, as \ref

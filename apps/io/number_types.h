@@ -25,14 +25,14 @@ struct NumberType {
   /** \brief The two names in PLY, as "uchar" and "uint8"; empty for 64-bit integers,
    * which PLY lacks. */
   std::string_view ply_name, ply_name_with_bits;
+  /** \brief Reads a number in the byte order of the machine. */
   NumberReader read;
   /** \brief Parses a number and writes it into \p bytes. Accepts `nan`, `inf` and
    * `infinity`, but no number too large for double precision; a number that is too
    * large only for a float becomes infinite. For an integer type decimals are cut off,
    * as in PCL, and numbers beyond its range are taken modulo the range. `nan`, and
    * numbers with an absolute value of 2^63 or more, become 0; but uint64 takes all
-   * whole numbers in its range.
-   * \param[in] text followed in memory by a character that cannot continue a number
+   * whole numbers in its range. The result does not depend on the locale.
    * \return false if \p text is anything else */
   bool (*parse) (std::string_view text, void* bytes);
 };

@@ -80,7 +80,7 @@ findAxis (const Words& names, const AxisNames& axis_names)
 std::string
 allowedName (std::string name)
 {
-  constexpr std::size_t max_length = 100;
+  constexpr std::size_t max_length = 100; // [bytes], chosen by hand
   name.resize (std::min (name.size(), max_length));
   for (char& c : name)
     c = std::isspace (static_cast<unsigned char> (c)) != 0 ||
@@ -151,7 +151,8 @@ removeQuotes (const FileReader& reader, std::string& line)
   for (std::size_t i = 0; i < parts.size(); i += 2)
     unquoted_parts += parts[i];
   const char separator = separatorOf (unquoted_parts);
-  // Those that would divide a quoted word, or change the result of separatorOf.
+  // The characters that would divide a quoted word, or change the result of
+  // separatorOf.
   const std::string replaced_characters = separator == ';'   ? ";"
                                           : separator == ',' ? ",;"
                                                              : ",; \t";
@@ -445,6 +446,7 @@ std::vector<double>
 readTextNumbers (const std::string& file)
 {
   FileReader reader (file, "text");
+  reader.skipByteOrderMark();
   std::vector<double> numbers;
   while (reader.nextWords()) {
     reader.expectWordCount (1);

@@ -10,14 +10,18 @@
 #include <cli/errors.h>
 #include <io/cloud_file.h>
 #include <io/labeled_pcd.h>
+#include <io/number_list.h>
 #include <io/shifted_cloud.h>
 #include <support/cloud_values.h>
 #include <support/las_bytes.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <clocale>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -313,6 +317,21 @@ TEST_F (CloudFile, HasWhatTheTableSays)
   }
 }
 
+TEST_F (CloudFile, HasTinyNumbersAlsoWhereALocaleHasADecimalComma)
+{
+  const std::string c_locale = std::setlocale (LC_NUMERIC, nullptr);
+  const char* const wanted[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "nl_NL.UTF-8"};
+  const bool has_comma =
+      std::any_of (std::begin (wanted), std::end (wanted), [] (const char* locale) {
+        return std::setlocale (LC_NUMERIC, locale) != nullptr;
+      });
+  const std::string text = textOf (load ("tiny.xyz", "1.5e-400 2 3\n"));
+  std::setlocale (LC_NUMERIC, c_locale.c_str());
+  if (!has_comma)
+    GTEST_SKIP() << "there is no such locale";
+  EXPECT_EQ (text, "x 0; y 2; z 3");
+}
+
 TEST_F (CloudFile, IsRefusedForWhatTheTableSays)
 {
   const auto rows = tableIn (PCL_OPS_REFUSED_FILES);
@@ -563,4 +582,11 @@ TEST_F (TextFile, TakesNoMoreMemoryThanItHasPointsFor)
   EXPECT_LT (load ("in.xyz", text).points.data.capacity(), 10u * text.size());
   text = "1 2 3\n4 5 6\n" + std::string (1000000, '#');
   EXPECT_LT (load ("in.xyz", text).points.data.capacity(), 10u * text.size());
+}
+
+TEST_F (CloudFile, OfNumbersMayBeginWithTheMarkOfUtf8)
+{
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string file = folder_.write ("labels.txt", mark + "1\n2\n");
+  EXPECT_EQ (readTextNumbers (file), (std::vector<double>{1.0, 2.0}));
 }
