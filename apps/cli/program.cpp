@@ -45,10 +45,11 @@ void
 noteSignal (int signal)
 {
   // Programs such as timeout signal twice: the program, then its process group. The
-  // second signal is not one more from the user.
-  constexpr std::int64_t max_between_both = 500; // [ms]
+  // second signal is not one more from the user, who waits longer to see an effect.
+  constexpr std::int64_t max_between_both = 500; // [ms], chosen by hand
   if (noted_signal == 0) {
-    noted_at = monotonicTime(); // first, as noted_signal tells that both are set
+    // noted_at is set first: once noted_signal is set, both are valid.
+    noted_at = monotonicTime();
     noted_signal = signal;
   }
   else if (monotonicTime() - noted_at > max_between_both) {
@@ -72,8 +73,8 @@ holdClosedStreams ()
     if (::fcntl (stream, F_GETFD) == -1) {
       // open() returns the lowest free number, which is that of this stream. With the
       // wrong access mode, using the stream fails as it would if it were closed.
-      static_cast<void> (
-          ::open ("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+      const int wrong_mode = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+      static_cast<void> (::open ("/dev/null", wrong_mode));
       has_output = has_output && stream != STDOUT_FILENO;
     }
   return has_output;

@@ -29,9 +29,11 @@ warn (const std::string& message);
 int
 runProgram (const std::string& name, const std::function<int()>& body);
 
-/** \brief Is thrown to end the program after a signal of the user. */
+/** \brief Is thrown to end the program after a signal of the user. Outputs that were
+ * complete before stay. */
 struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error ("interrupted: nothing was written; run it again")
+  Interrupted()
+  : std::runtime_error ("interrupted: no file is half-written; run it again")
   {}
 };
 

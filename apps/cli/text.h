@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <sstream>
 #include <string>
 
@@ -16,6 +17,13 @@ concatenate (const Values&... values)
   std::ostringstream text;
   (text << ... << values);
   return text.str();
+}
+
+/** \brief Returns a number with its noun: "1 plane", "2 planes". */
+inline std::string
+counted (std::size_t number, const std::string& noun)
+{
+  return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
 }
 
 /** \brief Returns the text with a blank in place of each line break. File names may

@@ -7,6 +7,7 @@
 #include "poly_data.h"
 #include "report.h"
 #include "stages.h"
+#include <cli/text.h>
 #include <drawing/edge_drawing.h>
 #include <drawing/plan_drawing.h>
 #include <io/las_file.h>
@@ -32,7 +33,8 @@ namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
-// Writes the output files of pcl_ops_segment; report.h declares saveOutputs.
+// Writes the output files of pcl_ops_segment; report.h declares saveOutputs and
+// isPlaneFile.
 
 namespace {
 
@@ -159,12 +161,6 @@ saveLabeled (const std::string& file,
     return saveLabeledLas (file, *cloud.las, labels, distances, plane_id_of_point);
   saveLabeledCloud (
       file, cloud, labels, distances, options.keeps_color, plane_id_of_point);
-}
-
-std::string
-counted (std::size_t number, const std::string& noun)
-{
-  return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
 }
 
 /** \brief Writes the finite points that are on no plane.

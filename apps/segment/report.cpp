@@ -4,6 +4,7 @@
 
 #include <boost/format.hpp>
 
+#include <cli/text.h>
 #include <detection/warning_lines.h>
 #include <numbers/angles.h>
 #include <numbers/statistics.h>
@@ -16,7 +17,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns 0 if \p whole is 0. */
+/** \brief Returns how many percent of \p whole \p part is; 0 if \p whole is 0. */
 double
 percentage (std::size_t part, std::size_t whole)
 {
@@ -31,7 +32,7 @@ printPlanes (const Report& report, std::ostream& stream)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const std::vector<PlaneKind>& kinds = report.detected.kinds;
-  constexpr std::size_t max_rows = 20;
+  constexpr std::size_t max_rows = 20; // so that the table fits on a screen
   const std::vector<std::uint32_t> plane_ids = report.planeIdsOfPieces();
   stream << "  id" << (plane_ids.empty() ? "" : " plane")
          << "  orientation  kind       points      %       rms"
@@ -67,10 +68,7 @@ std::string
 countsOf (const Report& report)
 {
   const std::size_t planes = report.detected.planes.size();
-  const std::string points = std::to_string (report.points) + " points, ";
-  const auto counted = [] (std::size_t number, const std::string& noun) {
-    return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
-  };
+  const std::string points = counted (report.points, "point") + ", ";
   if (report.detected.lies_on.empty())
     return points + counted (planes, "plane");
   const std::set<std::size_t> whole_planes (report.detected.lies_on.begin(),

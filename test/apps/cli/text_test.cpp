@@ -4,6 +4,7 @@
 
 #include <cli/text.h>
 
+using pcl_ops::apps::counted;
 using pcl_ops::apps::oneLine;
 using pcl_ops::apps::validUtf8;
 
@@ -23,6 +24,13 @@ TEST (ValidUtf8, HasTheReplacementCharacterForEachByteThatIsNotValid)
   EXPECT_EQ (validUtf8 ("\xed\xa0\x80"), mark + mark + mark)
       << "one half of a surrogate pair";
   EXPECT_EQ (validUtf8 ("\xf5\x80"), mark + mark) << "above U+10FFFF";
+}
+
+TEST (Counted, HasAnSUnlessTheNumberIsOne)
+{
+  EXPECT_EQ (counted (0, "plane"), "0 planes");
+  EXPECT_EQ (counted (1, "plane"), "1 plane");
+  EXPECT_EQ (counted (2, "plane"), "2 planes");
 }
 
 TEST (OneLine, HasABlankForEachLineBreak)

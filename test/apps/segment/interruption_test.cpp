@@ -192,3 +192,15 @@ TEST_F (Interruption, OfAPipeLeavesNoTemporaryFile)
   ::close (pipe[1]);
   EXPECT_EQ (namesIn ("tmp"), std::set<std::string>());
 }
+
+TEST_F (Interruption, BehindTheFirstOutputDoesNotSayThatNothingIsWritten)
+{
+  save ("dense.pcd", floorAndWall (300));
+  const FolderWatch outputs (folder_.path());
+  const pid_t program =
+      start ("'" PCL_OPS_SEGMENT_PROGRAM "' dense.pcd out.pcd --trace stages --quiet");
+  EXPECT_TRUE (outputs.waitFor ("out.pcd")); // all stages follow it
+  EXPECT_EQ (interrupt (program), ended_by_sigterm);
+  EXPECT_EQ (contentOf (folder_ / "said"),
+             "pcl_ops_segment: interrupted: no file is half-written; run it again\n");
+}
