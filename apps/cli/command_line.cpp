@@ -18,8 +18,11 @@ namespace {
 /** \brief Width of a console [letters]. */
 constexpr std::size_t console_width = 80;
 
-/** \brief Adds words to a line, with a blank in front of each, and begins a new line
- * where one would be longer than \p width.
+/** \brief Number of blanks in front of a name in the help, as usual in help texts. */
+constexpr std::size_t margin = 2;
+
+/** \brief Returns a line with further words, a blank in front of each. Goes on in a new
+ * line where one would be longer than \p width.
  * \param[in] column number of blanks in front of the first word of a new line; a line
  * shorter than this gets a word even if it is too long then */
 std::string
@@ -46,13 +49,14 @@ std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
   std::string name_line;
-  std::string line = "  " + name;
+  std::string line = std::string (margin, ' ') + name;
   if (line.size() >= column) {
     name_line = line + "\n";
     line.clear();
   }
   line.resize (column - 1, ' ');
-  // A meaning leaves the last column free: some consoles begin a new line there.
+  // A meaning leaves the last column free: behind a letter there some consoles begin a
+  // new line.
   return name_line + wrapped (line, meaning, column, console_width - 1);
 }
 
@@ -73,11 +77,12 @@ nameWidth (const OptionGroup& group)
 std::string
 explained (const OptionGroup& group, std::size_t name_width)
 {
-  // Two letters each for the margin, the dashes, and the blanks around the placeholder.
-  constexpr std::size_t other_letters = 6;
-  constexpr std::size_t min_column = 24;
+  // Two dashes, and a blank on each side of the placeholder.
+  constexpr std::size_t dashes_and_blanks = 4;
+  constexpr std::size_t min_column = 24; // as in help texts of boost::program_options
+  constexpr std::size_t max_column = console_width / 2; // half is left for the meaning
   const std::size_t column =
-      std::clamp (name_width + other_letters, min_column, console_width / 2);
+      std::clamp (margin + name_width + dashes_and_blanks, min_column, max_column);
   std::string text = "\n" + group.title + ":\n";
   for (const Option& option : group.options)
     text +=
@@ -103,8 +108,8 @@ nameIn (const std::string& token)
   return token == "-h" ? "help" : token.substr (dashes, token.find ('=') - dashes);
 }
 
-/** \brief Refuses a file name that begins like an option with one dash: no option has a
- * point or a slash in its name.
+/** \brief Refuses a token that must be a file name: it begins with one dash, as an
+ * option may, but has a point or a slash, as no name of an option has.
  * \param[in] token that \ref looksLikeOption */
 void
 refuseFileName (const std::string& token)
@@ -237,8 +242,7 @@ CommandLine::usage() const
     indent = "       ";
   }
   text += summary_ + "\n\n" + explanation_ + (name_width > 0 ? "Arguments:\n" : "");
-  constexpr std::size_t margin = 2; // [letters]
-  constexpr std::size_t gap = 3;    // between name and meaning [letters]
+  constexpr std::size_t gap = 3; // blanks between the longest name and its meaning
   for (const Argument& argument : arguments_)
     if (!argument.help.empty())
       text += entry (argument.name, argument.help, margin + name_width + gap);
@@ -257,7 +261,6 @@ CommandLine::help (bool is_full) const
     std::string names;
     for (const Option& option : groups_[i].options)
       names += " --" + option.name;
-    constexpr std::size_t margin = 2;
     text += is_full ? explained (groups_[i], width)
                     : (i == 1 ? "\n" : "") + groups_[i].title + ":\n" +
                           wrapped (" ", names, margin, console_width);

@@ -29,8 +29,8 @@ struct Argument {
   StoreText store;
 };
 
-/** \brief An option of the command line; its functions are called as the option is
- * declared. */
+/** \brief An option of the command line. Its functions complete a declaration:
+ * add ("floor-plan FILE", file).help ("...").onceCalled ("plan"). */
 struct Option {
   /** \brief Its name without dashes. */
   std::string name;
@@ -135,8 +135,9 @@ public:
     arguments_.push_back ({name, help, std::numeric_limits<std::size_t>::max(), store});
   }
 
-  /** \brief Replaces what --help derives from the arguments after "Usage: program".
-   * \param[in] ways of calling the program, each without its name, on a line of its own
+  /** \brief Replaces what --help shows behind "Usage: program": else the names of the
+   * arguments.
+   * \param[in] ways of calling the program, without its name; each gets a line
    * \param[in] explanation goes below the summary */
   void
   setUsage (const std::vector<std::string>& ways, const std::string& explanation)
@@ -150,15 +151,15 @@ public:
   void
   beginGroup (const std::string& title);
 
-  /** \brief Declares an option: add ("jobs N", store).help ("...").
+  /** \brief Declares an option; see \ref Option.
    * \param[in] usage "name PLACEHOLDER", or only "name" where the option has no value
    * \param[in] store may throw a UsageError
    * \return the declared option; valid until the next one is declared */
   Option&
   add (const std::string& usage, const StoreText& store);
 
-  /** \brief Declares an option without a value. \param[out] target true if it is given
-   */
+  /** \brief Declares an option without a value.
+   * \param[out] target becomes true if the option is given */
   Option&
   add (const std::string& usage, bool& target)
   {
@@ -231,7 +232,8 @@ public:
   help (bool is_full = false) const;
 
 private:
-  /** \brief The type of a number, also of a number in a std::optional. */
+  /** \brief The type of the number that an option stores: of a std::optional the type
+   * of what it may hold. */
   template <typename T>
   struct NumberOf {
     using type = T;

@@ -30,13 +30,13 @@ struct WorkError : ProgramError {
   using ProgramError::ProgramError;
 };
 
-/** \brief An output could not be written, so that it is useless to go on with others.
- */
+/** \brief An output could not be written. Work on further inputs is useless then, as
+ * their outputs would most likely fail, too. */
 struct OutputError : WorkError {
   using WorkError::WorkError;
 };
 
-/** \brief Returns the result of \p work.
+/** \brief Calls \p work, which may run out of memory, and returns its result.
  * \throws WorkError about \p subject, with \p fix, if memory runs out, and whatever
  * else \p work throws */
 template <typename Work>

@@ -11,7 +11,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns a number as text, with up to ten significant digits. */
+/** \brief Returns a number as text, with up to ten significant digits: all those of a
+ * 32-bit integer. */
 std::string
 shortText (double number)
 {

@@ -19,7 +19,8 @@ namespace pcl_ops::apps {
  * above (0).upTo (1). */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
-  /** \brief Whether the bound itself is in the range; the same below. */
+  /** \brief Whether \ref lowest itself is in the range; \ref highest_included says the
+   * same of \ref highest. */
   bool lowest_included = false;
   double highest = std::numeric_limits<double>::infinity();
   bool highest_included = false;
@@ -47,7 +48,7 @@ struct Range {
            (number < highest || (highest_included && number == highest));
   }
 
-  /** \brief Returns the range in words for messages, "above 0 and up to 1". */
+  /** \brief Returns the range in words for messages: "above 0 and up to 1". */
   std::string
   text () const;
 };
@@ -66,9 +67,9 @@ from (double bound)
   return {bound, true};
 }
 
-/** \brief Returns the number of a text.
+/** \brief Returns the number that a text has. It does not depend on the locale.
  * \param[in] range that the option allows
- * \param[in] of_type range of the numbers that the type of the target can have
+ * \param[in] of_type range of the type that the caller converts the number to
  * \param[in] must_be_whole whether the number must be an integer
  * \throws UsageError about the option if \p text is no number in both ranges */
 double
@@ -78,15 +79,16 @@ parseNumber (const std::string& option,
              const Range& of_type,
              bool must_be_whole);
 
-/** \brief Returns the number of a text in the range of an option.
- * \throws UsageError about the option if \p text is no such Number in this range */
+/** \brief Returns the number that a text has.
+ * \param[in] range that the option allows
+ * \throws UsageError about the option if \p text is no Number in this range */
 template <typename Number>
 Number
 parseNumber (const std::string& option, const std::string& text, const Range& range)
 {
   using Limits = std::numeric_limits<Number>;
   const Range from_lowest = from (static_cast<double> (Limits::lowest()));
-  // The largest integer may be no double, but 2^digits, the integer after it, is one.
+  // A double holds not every largest integer, but the integer after it, 2^digits.
   const Range of_type = Limits::is_integer
                             ? from_lowest.below (std::ldexp (1.0, Limits::digits))
                             : from_lowest.upTo (static_cast<double> (Limits::max()));

@@ -15,7 +15,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Letters within the brackets of a bar. */
+/** \brief Letters within the brackets of a bar. With the text behind it the line still
+ * fits into the 80 columns of a terminal. */
 constexpr std::size_t bar_width = 30;
 /** \brief Moves a terminal to the beginning of its line, which it erases. */
 constexpr const char* erase_line = "\r\033[K";
@@ -51,14 +52,14 @@ Progress::draw()
   if (style_ == ProgressStyle::None || is_too_early)
     return;
   last_line_ = now;
-  const std::size_t divisor = std::max<std::size_t> (1, steps_); // not 0
+  const std::size_t divisor = std::max<std::size_t> (1, steps_); // steps_ may be 0
   if (style_ == ProgressStyle::Bar) {
     const std::size_t filled = bar_width * std::min (done_, divisor) / divisor;
     stream_ << erase_line << '[' << std::string (filled, '=')
             << std::string (bar_width - filled, ' ') << "] ";
   }
   const double elapsed = std::chrono::duration<double> (now - start_).count(); // [s]
-  // As if the remaining steps took as long as those that are done, on average.
+  // This takes a remaining step to last as long as the mean of those that are done.
   const double remaining = elapsed *
                            static_cast<double> (steps_ - std::min (done_, steps_)) /
                            static_cast<double> (done_); // [s]
@@ -137,14 +138,15 @@ runInParallel (std::size_t count,
     }
   };
   const unsigned threads = jobs == 0 ? std::thread::hardware_concurrency() : jobs;
-  // Those besides this thread; destructors of the futures wait for the threads.
+  // The other threads: this one works, too. If it throws, the destructors of the
+  // futures wait for the others.
   std::vector<std::future<void>> others;
   try {
     for (std::size_t i = 1; i < std::min<std::size_t> (threads, count); ++i)
       others.push_back (std::async (std::launch::async, call_work));
   }
   catch (const std::exception&) {
-    // This thread and those that did start do the work.
+    // The system starts no more threads: this one and those that did start do the work.
   }
   call_work();
   for (std::future<void>& other : others)

@@ -19,8 +19,8 @@ enum class ProgressStyle {
   /** \brief For terminals: a bar with the remaining time, in one line that is written
    * again at each step. */
   Bar,
-  /** \brief For files: a line at a step, at most every ten seconds; no line if the run
-   * takes less. */
+  /** \brief For files: a line at a step, but at least ten seconds after the last line,
+   * or after the start. */
   Lines,
   None
 };
@@ -61,8 +61,8 @@ public:
     draw();
   }
 
-  /** \brief Writes a line in place of the bar, and the bar below it. \p stream may be
-   * the same terminal as that of the bar. */
+  /** \brief Writes a line to \p stream, in place of the bar, and the bar again below
+   * it: \p stream may be the same terminal as that of the bar. */
   void
   note (const std::string& line, std::ostream& stream);
 
@@ -95,7 +95,7 @@ private:
   /** \brief Whether the last line of the stream is a bar. */
   bool has_bar_ = false;
   Clock::time_point start_ = Clock::now();
-  /** \brief When the last line or bar was written. */
+  /** \brief When the last line or bar was written; at first the start. */
   Clock::time_point last_line_ = start_;
   /** \brief Guards all members. */
   std::mutex mutex_;
@@ -142,6 +142,7 @@ private:
   std::string stage_;
   /** \brief Set to end the thread. */
   std::promise<void> end_;
+  /** \brief The last member, as its work uses all others. */
   std::thread thread_;
 };
 

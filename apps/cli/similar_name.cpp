@@ -40,10 +40,12 @@ editsBetween (const std::string& a, const std::string& b)
 std::string
 similarName (const std::string& mistyped, const std::vector<std::string>& names)
 {
-  constexpr std::size_t max_length = 64; // a longer word is no mistyped name
+  // A longer word is no mistyped name; the time grows with the length.
+  constexpr std::size_t max_length = 64;
   if (mistyped.size() > max_length)
     return "";
   std::string similar;
+  // With more edits the name would hardly be recognized in the word; chosen by hand.
   const std::size_t max_edits = mistyped.size() / 3;
   std::size_t fewest_edits = max_edits + 1;
   for (const std::string& name : names)

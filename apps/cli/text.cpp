@@ -17,7 +17,8 @@ lengthOfCharacter (unsigned char first)
 {
   if (first <= 0x7f) // ASCII
     return 1;
-  // A byte within a character, or the first one of a form that is not the shortest.
+  // The second or a later byte of a character, or the first one of a form that is not
+  // the shortest.
   if (first <= 0xc1)
     return 0;
   if (first <= 0xdf)

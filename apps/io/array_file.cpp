@@ -51,9 +51,9 @@ checkArePoints (const FileReader& reader, const FileCloud& cloud)
     reader.fail ("most of its numbers are no coordinates in meters");
 }
 
-/** \brief Splits numbers into \p columns columns, number i into column i % columns, and
- * returns the largest minus the smallest mean absolute value of a column. The result is
- * near 0 if every column mixes x, y and z. */
+/** \brief Puts number i into column i % columns, and returns the largest minus the
+ * smallest mean absolute value of a column. The result is near 0 if every column mixes
+ * x, y and z. */
 double
 differenceOfColumns (const std::vector<float>& numbers, std::size_t columns)
 {
@@ -76,8 +76,8 @@ void
 refuseTriples (const FileReader& reader, const FileCloud& cloud)
 {
   constexpr std::size_t min_points = 100; // means of fewer differ by chance
-  constexpr double max_ratio =
-      0.3; // of the difference of four columns to that of three
+  // Of the difference of four columns to that of three; chosen by hand.
+  constexpr double max_ratio = 0.3;
   std::vector<float> numbers (cloud.points.data.size() / sizeof (float));
   std::memcpy (numbers.data(), cloud.points.data.data(), cloud.points.data.size());
   if (cloud.size() >= min_points && cloud.points.fields.size() == 4 &&
@@ -102,14 +102,16 @@ std::string
 readNpyLiteral (FileReader& reader)
 {
   constexpr std::size_t start_size = 8, version_offset = 6; // [bytes]
-  constexpr std::uint32_t max_length = 1U << 16U;           // [bytes]
+  // As the message says; that of an array of plain numbers has some hundred bytes.
+  constexpr std::uint32_t max_length = 1U << 16U; // [bytes]
   std::string start (std::min<std::uint64_t> (start_size, reader.fileSize()), '\0');
   reader.read (start.data(), start.size());
   if (start.rfind ("\x93NUMPY", 0) != 0)
     reader.fail ("its first bytes are not \\x93NUMPY");
   boost::endian::little_uint32_t length = 0;
   const bool has_long_length = start.size() == start_size && start[version_offset] > 1;
-  reader.read (&length, has_long_length ? 4 : 2);
+  constexpr std::size_t long_size = 4, short_size = 2; // [bytes]
+  reader.read (&length, has_long_length ? long_size : short_size);
   if (length > max_length)
     reader.fail ("its header is longer than 64 KiB");
   std::string text (length, '\0');
@@ -136,7 +138,7 @@ readNpyHeader (FileReader& reader)
   };
   NpyHeader header;
   header.type = value_of ("descr", '\'');
-  constexpr const char* true_without_t = "rue";
+  constexpr const char* true_without_t = "rue"; // of True
   header.is_fortran = value_of ("fortran_order", ',') == true_without_t;
   const std::string shape = value_of ("shape", ')');
   std::vector<std::string_view> words;
@@ -147,7 +149,8 @@ readNpyHeader (FileReader& reader)
   return header;
 }
 
-/** \param[in] name NumPy's name of the type
+/** \brief Returns the type with a name of NumPy: "<f4" is a little endian float of 4
+ * bytes. Single bytes have no order: "|u1".
  * \return nullptr for a type that is big endian or that NumberType lacks */
 const NumberType*
 numpyType (const std::string& name)
@@ -175,8 +178,8 @@ supportedType (const std::string& file, const NpyHeader& header)
 void
 refuseTransposed (const std::string& file, const std::vector<std::uint64_t>& shape)
 {
-  constexpr std::uint64_t max_columns_of_points =
-      10; // x, y, z, color, normal, intensity
+  // x, y, z; three numbers each for color and normal; intensity.
+  constexpr std::uint64_t max_columns_of_points = 10;
   if (shape.back() <= max_columns_of_points)
     return;
   if (shape.size() == 2 && shape[0] <= max_columns_of_points)

@@ -265,7 +265,8 @@ nameCoordinates (pcl::PCLPointCloud2& points)
 void
 repairPose (FileCloud& cloud)
 {
-  // A unit quaternion that was written in single precision stays unchanged.
+  // A unit quaternion that was written in single precision stays unchanged: its numbers
+  // are rounded by 6e-8 at most.
   constexpr double rounding = 1e-6; // of the length
   if (!cloud.origin.allFinite())
     cloud.origin.setZero();
@@ -389,6 +390,8 @@ emptyLike (const FileCloud& cloud, std::size_t size)
 void
 saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set_fields)
 {
+  // A block is small beside a large cloud, and its own copy of the fields small beside
+  // its points; chosen by hand.
   constexpr std::size_t points_in_block = 1U << 14U;
   const bool is_ply = extensionOf (file) == ".ply";
   writeFile (file, [&] (std::ostream& stream) {

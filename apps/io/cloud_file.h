@@ -31,6 +31,7 @@ struct Scan {
 std::string
 cloudFileKinds ();
 
+/** \brief Returns the number of points. */
 inline std::size_t
 sizeOf (const pcl::PCLPointCloud2& points)
 {
@@ -56,6 +57,7 @@ struct FileCloud {
    * \ref origin and \ref orientation keep their defaults. Else empty. */
   std::vector<Scan> scans = {};
 
+  /** \brief Returns the number of points. */
   std::size_t
   size () const
   {
@@ -89,8 +91,8 @@ FileCloud
 loadCloud (const std::string& file);
 
 /** \brief Returns an unorganized cloud with the fields and the pose of another cloud,
- * without its LAS and scans. The width is \p size, but the data are empty: the caller
- * adds them. */
+ * for an output: the other members have their defaults. The width is \p size, but the
+ * data are empty: the caller adds them. */
 FileCloud
 emptyLike (const FileCloud& cloud, std::size_t size);
 

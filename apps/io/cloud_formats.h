@@ -18,8 +18,8 @@ isPcdKey (const std::string& word);
 FileCloud
 readPcd (const std::string& file);
 
-/** \brief Returns the header of a binary PCD, which FileCloud::points.data follows
- * unchanged. */
+/** \brief Returns the header of a binary PCD. In the file the bytes of
+ * FileCloud::points.data follow this header unchanged. */
 std::string
 pcdHeader (const FileCloud& cloud);
 
@@ -37,8 +37,8 @@ readPly (const std::string& file);
 std::string
 plyHeader (const pcl::PCLPointCloud2& points);
 
-/** \brief Returns the data of some points of a PLY, as its \ref plyHeader declares
- * them. */
+/** \brief Returns the data of points, as the \ref plyHeader of any cloud with the same
+ * fields declares them. */
 std::string
 plyVertices (const pcl::PCLPointCloud2& points);
 
@@ -70,8 +70,8 @@ readNpy (const std::string& file);
  * separated by blanks, commas or semicolons. Each column of numbers becomes a field in
  * double precision. Before the points there may be a line with the names of the columns
  * and one with the number of points. Lines that begin with # or // are comments. If no
- * line names the columns, a comment before the points does that has a word for each
- * column, x, y and z among them. pcl::ASCIIReader knows no such names, and leaves out
+ * line names the columns, a comment before the points may: it must have one word for
+ * each column, x, y and z among them. pcl::ASCIIReader reads no names, and leaves out
  * every line that it does not understand. */
 FileCloud
 readTextCloud (const std::string& file);

@@ -19,7 +19,7 @@ namespace {
 std::string
 printable (const std::string& text)
 {
-  constexpr std::size_t max_length = 200;
+  constexpr std::size_t max_length = 200; // two or three lines of a terminal
   std::string shown = text.substr (0, max_length);
   for (char& c : shown)
     c = std::isprint (static_cast<unsigned char> (c)) != 0 ? c : '?';
@@ -57,7 +57,8 @@ splitWords (std::string_view line, char separator, std::vector<std::string_view>
 std::vector<std::size_t>
 FileReader::joinNextLines (std::size_t count)
 {
-  constexpr std::size_t max_lines = 8; // with the first one; RealSense's viewer has 2
+  // With the first one. RealSense's viewer has 2; more are for others like it.
+  constexpr std::size_t max_lines = 8;
   const std::string first_line = line_;
   const std::uint64_t first_line_number = lines_;
   std::vector<std::size_t> lengths = {words_.size()};

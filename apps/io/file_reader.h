@@ -14,7 +14,8 @@ namespace pcl_ops::apps {
 
 using Words = std::vector<std::string>;
 
-/** \brief The most columns that a line of numbers may have. */
+/** \brief The most columns that a line of numbers may have: far more than any cloud
+ * has, so that a file of something else is refused. */
 constexpr std::size_t max_columns = 1000;
 
 /** \brief Splits a line into words, without the blanks around them.
@@ -28,8 +29,8 @@ splitWords (std::string_view line,
             std::vector<std::string_view>& words);
 
 /** \brief Reads the parts of a file for the readers of all formats: lines of a header,
- * bytes, and lines of numbers. Also words the error messages of these readers. Offsets
- * are from the beginning of the file, in bytes.
+ * bytes, and lines of numbers. Throws the errors of these readers, so that all formats
+ * have the same messages. Offsets are from the beginning of the file, in bytes.
  *
  * A word in place of a number is an error. For such a word PCL's readers return a point
  * at zero, or one without coordinates. */
@@ -55,6 +56,7 @@ public:
     return static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
   }
 
+  /** \brief Sets the \ref offset of the next byte to read. */
   void
   goTo (std::uint64_t offset)
   {
@@ -69,7 +71,8 @@ public:
     return file_size_ - offset();
   }
 
-  /** \throws WorkError if the file ends before */
+  /** \brief Reads the next \p count bytes.
+   * \throws WorkError if the file ends before */
   void
   read (void* bytes, std::size_t count)
   {
@@ -130,11 +133,11 @@ public:
   bool
   nextWords ();
 
-  /** \brief Appends up to seven following lines to the current line if it then has
-   * exactly \p count words: RealSense's viewer writes the position of a vertex in one
-   * line, the normal and the color in the next. If no such number of lines has \p count
-   * words, the current line stays as it is, but the lines that were tried are skipped:
-   * the caller has to refuse the file.
+  /** \brief Appends following lines to the current line, seven at most, until it has \p
+   * count words: RealSense's viewer writes the position of a vertex in one line, the
+   * normal and the color in the next. If it never has exactly so many, the current line
+   * stays as it was, but the lines that were tried are skipped: the caller has to
+   * refuse the file.
    * \return the number of words of each joined line; one element if nothing was joined
    */
   std::vector<std::size_t>

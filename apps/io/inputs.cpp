@@ -50,8 +50,8 @@ addFolder (const std::string& folder, InputFiles& found)
 }
 
 /** \brief Adds the matches of a shell pattern. A folder that matches stands for the
- * clouds in it. Any other match is added as a file, even a broken link, or a name that
- * looks like a pattern. */
+ * clouds in it. Any other match is added as a file, even a broken link, or a file whose
+ * own name looks like a pattern. */
 void
 addPattern (const std::string& pattern, InputFiles& found)
 {

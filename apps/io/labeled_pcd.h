@@ -15,8 +15,8 @@ namespace pcl_ops::apps {
 
 /** \brief Writes a binary PCD with x, y, z and label, without the padding of
  * pcl::PointXYZL.
- * \param[in] is_ignored for each point, whether its true label is unknown (1) or not (0): the
- * field `ignore`. If empty, the file has no such field. */
+ * \param[in] is_ignored for each point, whether its true label is unknown (1) or not
+ * (0): the field `ignore`. If empty, the file has no such field. */
 inline void
 saveLabeledPcd (const std::string& file,
                 const pcl::PointCloud<pcl::PointXYZL>& cloud,

@@ -55,7 +55,9 @@ crsInWkt (const std::string& text)
   std::string system = text.substr (0, verticalSystemBegin (text));
   while (!system.empty() && system.back() == '\0')
     system.pop_back();
-  // Only the last characters are searched: what the expression matches is shorter.
+  // Only the last characters are searched. What the expression matches is shorter, and
+  // std::regex, which recurses for each character, could exhaust the stack on a long
+  // text.
   constexpr std::size_t max_searched = 100;
   const std::string end =
       system.substr (system.size() - std::min (max_searched, system.size()));

@@ -45,11 +45,11 @@ textIn (const std::array<char, size>& bytes)
 std::uint64_t
 extraBytesLength (const LasField& field)
 {
+  if (field.type == las_undocumented)
+    return field.options;
   // Types 1 to 10 are single numbers, 11 to 20 pairs of them, 21 to 30 triples.
   constexpr std::array<std::uint8_t, 10> number_lengths = {
       1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  if (field.type == las_undocumented)
-    return field.options;
   constexpr std::size_t max_count = 3;
   const std::size_t count = 1 + (field.type - 1U) / number_lengths.size();
   const std::size_t number_type = (field.type - 1U) % number_lengths.size();

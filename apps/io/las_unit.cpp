@@ -14,7 +14,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief What is in front of the name of a unit in a WKT text in upper case. */
+/** \brief What is in front of the name of a unit in a WKT text in upper case; also the
+ * end of LENGTHUNIT[" and ANGLEUNIT[". */
 constexpr const char* unit_key = "UNIT[\"";
 
 /** \brief Returns a unit of length.

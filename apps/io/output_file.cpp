@@ -35,8 +35,8 @@ failToWrite (const std::string& file)
                          "); make room or give another name");
 }
 
-/** \brief Creates a file with a short name that does not exist yet in a folder, and
- * returns its path.
+/** \brief Creates a file that does not exist yet in a folder, and returns its path. Its
+ * name is short: one that begins with the name of the output could be too long.
  * \param[in] output the file that error messages name */
 fs::path
 newFileIn (const fs::path& folder, const std::string& output)
@@ -85,7 +85,7 @@ newTemporaryFile (const std::string& extension, const std::string& subject)
 }
 
 /** \brief Replaces the content of a file by what \p write writes.
- * \return whether all bytes were written */
+ * \return false if not all bytes were written; errno tells why */
 bool
 fillFile (const fs::path& path, const std::function<void (std::ostream& stream)>& write)
 {

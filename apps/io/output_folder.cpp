@@ -19,7 +19,8 @@ namespace {
 
 using IsOurs = std::function<bool (const std::string& name)>;
 
-/** \brief Returns the names of the files in a folder that are outputs. */
+/** \brief Returns the names of the files in a folder that are outputs by their names.
+ */
 std::set<std::string>
 outputsIn (const fs::path& folder, const IsOurs& is_ours)
 {

@@ -248,7 +248,7 @@ private:
 void
 readCompressed (FileReader& reader, pcl::PCLPointCloud2& points)
 {
-  constexpr std::uint64_t max_expansion = 100; // LZF makes at most 264 bytes of 3
+  constexpr std::uint64_t max_expansion = 88; // LZF makes at most 264 bytes of 3
   struct Sizes {
     std::uint32_t compressed, expanded;
   };
@@ -316,8 +316,9 @@ readPcd (const std::string& file)
 
 namespace {
 
-/** \brief Returns the shortest text, of 6 digits or more, that is read back as the same
- * number; as the same float if the number is one. */
+/** \brief Returns the shortest text, of up to 6 significant digits or of as many as are
+ * needed, that is read back as the same number; as the same float if the number is one.
+ */
 std::string
 textOf (double number)
 {

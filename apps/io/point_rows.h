@@ -34,15 +34,16 @@ public:
 
   /** \brief Declares all columns of the reader's current line in double precision: x,
    * y, z and further ones.
-   * \param[in] names_behind_z of the further columns; if there are more or fewer of these,
-   * they are called field_4, field_5, ...
+   * \param[in] names_behind_z names of the further columns. If there are more or fewer
+   * names than such columns, the columns are called field_4, field_5, ...
    * \throws WorkError unless the line has 3 to \ref max_columns words */
   void
   addColumnsOfLine (const Words& names_behind_z);
 
   /** \brief Adds the reader's current line as a point.
-   * \throws WorkError if its columns differ from those declared, or there are more
-   * points than PCL's indices can number */
+   * \throws WorkError if the line has more or fewer words than columns are declared, or
+   * a word in a column of numbers is none, or there are more points than PCL's indices
+   * can number */
   void
   addPoint ();
 
@@ -53,7 +54,8 @@ public:
     return size_;
   }
 
-  /** \brief Returns the first byte of the last point; there must be one. */
+  /** \brief Returns a pointer to the first byte of the last point; there must be one.
+   */
   std::uint8_t*
   lastPoint ()
   {

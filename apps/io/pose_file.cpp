@@ -22,8 +22,8 @@ constexpr const char* line_format = "timestamp tx ty tz qx qy qz qw";
  */
 constexpr std::size_t numbers_with_quaternion = 8, numbers_of_matrix = 12;
 
-/** \brief How much the length of a quaternion and the elements of R times its transpose
- * may differ from exact ones: some files have only four decimals. */
+/** \brief How much the length of a quaternion may differ from 1, and a rotation matrix
+ * times its transpose from the identity: some files have only four decimals. */
 constexpr double rotation_rounding = 0.01;
 
 /** \brief Reads the numbers of a line, at most 13: one more than a pose can have.

@@ -29,7 +29,8 @@ using Positions = std::vector<Eigen::Vector3d>;
 Positions
 sampleOf (const XyzCloud& cloud)
 {
-  constexpr std::size_t min_size = 4096; // the sample has less than twice as many
+  // The sample has less than twice as many; 0.5 % of these are 20 points (damageOf).
+  constexpr std::size_t min_size = 4096;
   const std::size_t step = std::max<std::size_t> (1, cloud.size() / min_size);
   Positions sample;
   for (std::size_t i = 0; i < cloud.size(); i += step)
@@ -69,7 +70,7 @@ mostSharedPlace (const Positions& positions)
 std::size_t
 countOutliers (Positions positions)
 {
-  constexpr double max_distance_in_diagonals = 1000.0;
+  constexpr double max_distance_in_diagonals = 1000.0; // as the message says
   const Eigen::Vector3d median = quantileOfEach (positions, 0.5);
   const auto is_nearer = [&] (const auto& first, const auto& second) {
     return (first - median).squaredNorm() < (second - median).squaredNorm();
@@ -217,7 +218,7 @@ damageOf (const ShiftedCloud& shifted)
 {
   constexpr std::size_t min_points = 10; // percentages of fewer points tell nothing
   // In units of the mean number of points at a place: on a coarse grid points coincide,
-  // too, but at every place about as many.
+  // too, but at every place about as many. Chosen by hand, as the next number.
   constexpr std::size_t min_points_of_missing_readings = 16;
   constexpr double max_outlier_share = 0.005; // of the sample
   const Positions sample = sampleOf (*shifted.cloud);
@@ -265,7 +266,8 @@ somePositions (std::size_t size, const PositionOf& position_of, std::size_t max_
 Eigen::Vector3d
 localOrigin (std::size_t size, const PositionOf& position_of)
 {
-  constexpr std::size_t wanted = 8192; // places
+  // So many places that their median lies near most points; chosen by hand.
+  constexpr std::size_t wanted = 8192;
   Positions places = placesBySmallestHash (size, position_of, wanted);
   // If all points are at few places, all hashes may be too large. Then all places
   // count.

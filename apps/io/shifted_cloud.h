@@ -29,9 +29,8 @@ struct ShiftedCloud {
    * both are relative to \ref shift. */
   XyzCloud::Ptr cloud;
   /** \brief What has to be added to the coordinates of \ref cloud to get those of the
-   * file: zero unless single precision would lose digits of the file, or a step is
-   * given
-   * (\ref shiftedCloudOf). */
+   * file. Zero unless single precision would lose digits of the file, or \ref
+   * shiftedCloudOf gets a step. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 
@@ -48,8 +47,8 @@ shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
  * - more than half of the points are at one place; or
  * - more than 0.5 % of the points are outliers, more than a thousand times as far away
  *   from the median as the other points are apart; or
- * - 1 % or more of the points are at one place, as missing readings are, and these are
- *   more than 16 times as many as the mean of all places. */
+ * - 1 % or more of the points, and ten or more, are at one place, as missing readings
+ *   are, and these are more than 16 times as many as the mean of all places. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 

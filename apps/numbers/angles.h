@@ -6,8 +6,8 @@ namespace pcl_ops::apps {
 
 constexpr double pi = 3.14159265358979323846;
 
-/** \brief Converts degrees to radians. PCL's deg2rad has a factor of eight digits: by
- * it 90 degrees are more than pi / 2. */
+/** \brief Converts degrees to radians. PCL's deg2rad multiplies by a factor rounded to
+ * eight digits, which makes 90 degrees more than pi / 2. */
 constexpr double
 toRadians (double degrees)
 {

@@ -65,6 +65,7 @@ public:
   double
   angle (double lower_degrees, double upper_degrees)
   {
+    // Not by toRadians, which rounds in another way: scenes of a seed would change.
     return between (lower_degrees, upper_degrees) * pi / 180.0;
   }
 

@@ -20,8 +20,8 @@ fraction (std::size_t part, std::size_t whole, double of_nothing)
 }
 
 /** \brief Returns the smallest value such that at least this share, 0 to 1, of all
- * values are not larger; share 0.5 gives the (lower) median. NaN if there are no
- * values. */
+ * values are not larger; share 0.5 gives the median, of an even number of values the
+ * lower one. NaN if there are no values. */
 template <typename Number>
 Number
 quantile (std::vector<Number> values, double share)

@@ -53,7 +53,8 @@ posesOf (const TrackOptions& options, std::size_t clouds)
   return poses;
 }
 
-/** \brief By the extension: KITTI has its lidar scans in .bin files. */
+/** \brief Whether the input may be a lidar scan of KITTI, by the extension: these are
+ * .bin files. */
 bool
 isScanOfKitti (const Task& task)
 {
@@ -153,7 +154,7 @@ private:
   std::vector<UpAxis>
   upAxesOfClouds ()
   {
-    constexpr std::size_t max_samples = 64; // enough to tell the axis of most clouds
+    constexpr std::size_t max_samples = 64; // as the pages say; chosen by hand
     const std::size_t clouds = batch_.tasks.size();
     const std::size_t samples = std::min (clouds, max_samples);
     std::vector<std::optional<UpAxis>> found (samples);
@@ -185,7 +186,8 @@ private:
   Eigen::Vector3d
   upOfCamera () const
   {
-    // The more the unit vectors differ, the shorter is their mean.
+    // The more the unit vectors differ, the shorter is their mean: its length is 0.5 if
+    // each is 60 degrees away from it.
     constexpr double min_length_of_mean = 0.5;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Eigen::Isometry3d& pose : poses_)
@@ -335,7 +337,7 @@ private:
   std::condition_variable printed_changed_;
   /** \brief Of each cloud, once it has ended. */
   std::vector<std::optional<Status>> statuses_;
-  /** \brief The statuses of this number of first clouds are printed. */
+  /** \brief Number of printed statuses: they are those of the first clouds. */
   std::size_t printed_ = 0;
   /** \brief Whether a status could not be stored, so that \ref printed_ never passes
    * it. */

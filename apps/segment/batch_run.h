@@ -6,7 +6,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Segments the clouds of a batch, options.jobs at a time. If one fails,
+/** \brief Segments the clouds of a batch, SegmentOptions::jobs at a time. If one fails,
  * the others are segmented all the same. An interruption by the user ends the batch
  * early, without a half-written file. Lines are printed and ids are given in the order
  * of the tasks, so that both are the same for any number of jobs.

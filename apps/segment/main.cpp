@@ -25,7 +25,8 @@ printFileNotesAndWarnings (const Report& report)
     warn (line);
 }
 
-/** \brief Segments one cloud and prints the result. \return the exit code */
+/** \brief Segments one cloud and prints the result.
+ * \return the exit code */
 int
 segmentOne (const SegmentOptions& options)
 {
@@ -36,8 +37,8 @@ segmentOne (const SegmentOptions& options)
   const Report report = inMemory (nameOfInput (task), "give a smaller cloud", [&] {
     return segmentCloud (options, task, {}, progress ? &*progress : nullptr);
   });
-  progress.reset(); // so that no progress line is printed after the results
-  if (!report.damage.empty())
+  progress.reset();           // so that no progress line is printed after the results
+  if (!report.damage.empty()) // also with --quiet: its planes are probably wrong
     warn (report.input + ": " + report.damage);
   if (!options.quiet)
     printFileNotesAndWarnings (report);

@@ -25,7 +25,7 @@ namespace {
 constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
-/** \brief Placeholder for the name of the input in output names of a batch. */
+/** \brief Stands for the name of the input in the names of outputs of a batch. */
 constexpr const char* name_placeholder = "{}";
 
 constexpr const char* help_on_arguments =
@@ -67,7 +67,8 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("output-dir DIR", options.output_dir)
       .help ("write DIR/NAME.pcd, .json for each INPUT NAME.pcd;\n"
              "outputs below are in it, with {} for NAME");
-  line.add ("jobs N", options.jobs, from (0).upTo (256))
+  constexpr double max_jobs = 256; // chosen by hand, against typing errors
+  line.add ("jobs N", options.jobs, from (0).upTo (max_jobs))
       .help ("INPUTs at a time; 0: one for each processor (1)");
   line.add ("planes FILE", outputs.planes)
       .help ("write planes: .json, .csv, .geojson, .gpkg; -: print");
@@ -102,8 +103,9 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("floor-plan FILE", outputs.floor_plan)
       .help ("write a floor plan: .dxf, .svg, .geojson, .gpkg (also --plan)")
       .onceCalled ("plan");
-  line.add (
-          "plan-height M", options.plan_parameters.cut_height, from (-1000).upTo (1000))
+  const Range heights =
+      from (-1000).upTo (1000); // chosen by hand, against typing errors
+  line.add ("plan-height M", options.plan_parameters.cut_height, heights)
       .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
   line.add ("rest FILE", outputs.rest)
       .help ("write the points on no plane: .pcd or .ply");

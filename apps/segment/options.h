@@ -69,7 +69,7 @@ struct SegmentOptions {
   /** \brief Outputs as given. With \ref output_dir, {} in their names stands for the
    * name of each input. */
   Outputs outputs;
-  /** \brief Name of the detector (\ref Method). */
+  /** \brief Name of the detector: Method::name. */
   std::string method = "ops";
   /** \brief The kind of hull that outlines are: "convex" or "concave". */
   std::string hull = "convex";
@@ -95,7 +95,8 @@ struct SegmentOptions {
   bool keeps_color = false;
   /** \brief Whether OUTPUT has the signed distance of each point to its plane. */
   bool has_distances = false;
-  /** \brief Whether to print no table and no notes. */
+  /** \brief Whether to print no table, notes and warnings. Damage of the cloud is
+   * always printed. */
   bool quiet = false;
   /** \brief Format of the clouds that the program names itself, in \ref output_dir and
    * Outputs::planes_dir: "pcd" or "ply"; empty if --format is not given. */

@@ -35,7 +35,7 @@ namespace {
 
 using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
-/** \brief Size of the window [pixel]. */
+/** \brief Size of the window [pixel], chosen by hand. */
 constexpr int width = 1280, height = 960;
 
 struct ViewOptions {
@@ -49,8 +49,9 @@ struct ViewOptions {
   ViewState state;
 };
 
-/** \return false if --help or --version was answered, and the program should end
- * \throws UsageError */
+/** \brief Reads the command line and checks it, without reading the cloud.
+ * \return false if --help or --version was answered, and the program should end
+ * \throws UsageError, or WorkError if an output cannot be written */
 bool
 readOptions (int argc, const char* const* argv, ViewOptions& options)
 {
