@@ -19,7 +19,8 @@ fail() {
   exit 1
 }
 
-progress_interval=${PCL_OPS_SILENCE:-20} # from one line of progress to the next [s]
+# From one line of progress to the next [s]; PCL_OPS_SILENCE is for tests of the scripts.
+progress_interval=${PCL_OPS_SILENCE:-20}
 
 # progress_of LOG: prints in a line how far a build, an installation or tests are, by their
 # output.
@@ -175,15 +176,16 @@ install_newest_compiler() {
   newest=g++
 }
 
-# jobs: prints how many compilers can run at once: one per core that fits into the memory.
+# jobs: prints how many compilers can run at once: one per core, but no more than fit into the
+# free memory at 1.5 GB each, a value chosen by hand.
 jobs() {
   awk -v cores="$(nproc)" -v kilobytes_per_job=1500000 '
     /^MemAvailable/ { fit = int($2 / kilobytes_per_job) }
     END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo 2>/dev/null || nproc
 }
 
-# configure FOLDER OPTION...: configures build/FOLDER with these CMake options, as a unity
-# build: for a build that is made once it takes half the time.
+# configure FOLDER OPTION...: configures build/FOLDER with these CMake options. A unity build is
+# the default, as building all of it once takes half the time.
 configure() {
   local folder=$root/build/$1
   shift

@@ -214,7 +214,7 @@ public:
   /** \brief Reads the value of a property of the row.
    * \return the number; of a list the last number, or 0 if the list is empty */
   double
-  readProperty (const PlyProperty& property)
+  readValue (const PlyProperty& property)
   {
     const double count = property.isList() ? number (*property.length_type) : 1.0;
     if (!(count >= 0.0))
@@ -354,7 +354,7 @@ readRows (PlyData& data,
         data.read (*property.type, point + property.offset);
         continue;
       }
-      const double number = data.readProperty (property);
+      const double number = data.readValue (property);
       const auto single = static_cast<float> (number);
       if (is_field)
         std::memcpy (point + property.offset, &single, sizeof (single));

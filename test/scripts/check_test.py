@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Includes that point up are refused.
+"""Includes that point up, and options that do not exist, are refused.
 
 python3 check_test.py SOURCES: the project's folder.
 """
@@ -57,6 +57,15 @@ class Includes(unittest.TestCase):
     def test_of_a_later_layer_are_refused(self):
         self.assertIn("geometry must not include what is above it",
                       self.check("src/geometry/plane.cpp", '"ops/constants.h"'))
+
+
+class Options(unittest.TestCase):
+    def test_that_do_not_exist_are_refused_before_any_check(self):
+        for options in (["--quik"], ["--quick", "src/plane_filter.cpp"]):
+            done = subprocess.run([SOURCES / "scripts/check", *options], capture_output=True,
+                                  text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertTrue(done.stderr.startswith(f"check: {options[0]}: "))
 
 
 if __name__ == "__main__":
