@@ -93,14 +93,18 @@ function(pcl_ops_make_packages)
   set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
   set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
   set(CPACK_STRIP_FILES ON)
+  # Whatever the user's umask is, all users can read the folders.
   set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  # A package for each component, which depends on those of the components it needs.
   set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
   set(CPACK_DEB_COMPONENT_INSTALL ON)
   set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
   set(CPACK_DEBIAN_PACKAGE_SOURCE pcl-ops)
   set(CPACK_DEBIAN_PACKAGE_VERSION ${pcl_ops_debian_version})
   set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+  # dpkg-shlibdeps finds what packages the linked libraries are in; it looks for the project's own
+  # in the folders of the build.
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
     ${PROJECT_BINARY_DIR}/src ${PROJECT_BINARY_DIR}/src/surface ${PROJECT_BINARY_DIR}/src/buildings)

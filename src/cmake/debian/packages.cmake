@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The names, summaries and descriptions of the packages.
+# The names, summaries and descriptions of the packages that cpack makes. Those of the source
+# package of Debian are in src/packaging/debian/control.
 pcl_ops_add_library_package(pcl_ops library
   SUMMARY "fast plane detection in unorganized point clouds for PCL"
   DESCRIPTION "pcl_ops finds all planes of a point cloud in one call: floors, walls, table
@@ -56,9 +57,9 @@ endif()
 pcl_ops_add_package(tools NAME pcl-ops-tools SECTION science
   COMPONENTS ${libraries}
   SUMMARY "find the planes of a point cloud (command line programs)"
-  DESCRIPTION "pcl_ops_segment labels every point of a .pcd or .ply file with the plane it
-lies on and writes the planes and a picture of them; pcl_ops_evaluate compares
-results.${lab}")
+  DESCRIPTION "pcl_ops_segment labels every point of a .pcd, .ply or .las file with the plane
+it lies on and writes the planes and a picture of them; pcl_ops_evaluate
+compares results.${lab}")
 
 if(TARGET pcl_ops_view)
   pcl_ops_add_package(view NAME pcl-ops-view SECTION science
