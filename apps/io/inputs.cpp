@@ -25,7 +25,8 @@ isPattern (const std::string& name)
   return name.find_first_of ("*?[") != std::string::npos;
 }
 
-/** \brief Adds the clouds in a folder, sorted by name, without hidden ones. */
+/** \brief Adds the clouds in a folder, sorted by name. Hidden ones and subfolders, even
+ * with the extension of a cloud, are left out. */
 void
 addFolder (const std::string& folder, InputFiles& found)
 {
@@ -35,7 +36,9 @@ addFolder (const std::string& folder, InputFiles& found)
        entry.increment (error)) {
     const fs::path& path = entry->path();
     const bool is_hidden = path.filename().string().front() == '.';
-    if (!is_hidden && isCloudFile (path.string()))
+    std::error_code ignored;
+    const bool is_folder = entry->is_directory (ignored);
+    if (!is_hidden && !is_folder && isCloudFile (path.string()))
       clouds.push_back (path.string());
   }
   if (error)
