@@ -230,8 +230,8 @@ declarePoints (const std::string& file,
 
 /** \brief Returns the data of points in the order of a cloud: point by point, and the
  * points row by row.
- * \param[in] points whose data are in Fortran order: x of all points, then y of all, and
- * so on, and for each of these the points column by column */
+ * \param[in] points whose data are in Fortran order: x of all points, then y of all,
+ * and so on, and for each of these the points column by column */
 std::vector<std::uint8_t>
 fromFortranOrder (const pcl::PCLPointCloud2& points)
 {

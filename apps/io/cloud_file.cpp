@@ -186,8 +186,8 @@ extensionOfSignature (const std::string& start)
 }
 
 /** \brief Returns the extension of a text format or of PCD.
- * \param[in] word the first word of the first line that is neither empty, nor a comment,
- * nor a single number */
+ * \param[in] word the first word of the first line that is neither empty, nor a
+ * comment, nor a single number */
 std::string
 extensionOfWord (const std::string& word)
 {
@@ -198,7 +198,7 @@ extensionOfWord (const std::string& word)
     return ".off";
   const auto first = static_cast<unsigned char> (word[0]);
   const bool is_text = std::iscntrl (first) == 0;
-  // The reader of PCD refuses what is no text.
+  // Bytes that are no text go to the reader of PCD, which refuses them.
   return is_text && !isPcdKey (word) ? ".xyz" : ".pcd";
 }
 

@@ -19,9 +19,9 @@ using Words = std::vector<std::string>;
 constexpr std::size_t max_columns = 1000;
 
 /** \brief Splits a line into words, without the blanks around them.
- * \param[in] separator the character between words. A space stands for any run of blanks
- * (spaces, tabs, carriage returns). Two other separators in a row have an empty word
- * between them.
+ * \param[in] separator the character between words. A space stands for any run of
+ * blanks (spaces, tabs, carriage returns). Two other separators in a row have an empty
+ * word between them.
  * \param[out] words parts of \p line: they are valid as long as its characters are */
 void
 splitWords (std::string_view line,
@@ -184,7 +184,8 @@ public:
 
   /** \brief Writes the number of word \p i into \p bytes; an empty word counts as nan.
    * \param[out] bytes as many as the type has
-   * \throws WorkError if the word is no number, or one too large for double precision */
+   * \throws WorkError if the word is no number, or a number too large for double
+   * precision */
   void
   readNumber (std::size_t i, const NumberType& type, void* bytes) const;
 

@@ -110,10 +110,10 @@ struct LasFile {
   /** \brief Sets the offsets in the header of a copy of this file, and writes the
    * header to the beginning of \p front.
    * \param[in] copy_header its offsets are still those of this file
-   * \param[in] points_end, copy_points_end offsets of the end of the points in this file
-   * and in the copy
-   * \param[in,out] front all bytes of the copy in front of its points, with any bytes in
-   * place of the header */
+   * \param[in] points_end, copy_points_end offsets of the end of the points in this
+   * file and in the copy
+   * \param[in,out] front all bytes of the copy in front of its points, with any bytes
+   * in place of the header */
   void
   replaceHeader (LasHeader copy_header,
                  std::uint64_t points_end,
@@ -169,8 +169,8 @@ openLas (const std::string& file);
  * \p file is a .laz. A field replaces one of the same name and type; all other data are
  * kept.
  * \param[in] columns with fields that LasFile::validate allows
- * \throws WorkError if \p file is a .laz and this build has no LASzip, or if the file of
- * \p las has become shorter since it was opened; and as \ref writeFile */
+ * \throws WorkError as \ref writeFile, or if \p file is a .laz and this build has no
+ * LASzip, or if the file of \p las has become shorter since it was opened */
 void
 saveLasWith (const std::string& file,
              LasFile& las,

@@ -122,7 +122,8 @@ checkHeader (const LasHeader& header, const FileReader& reader)
 /** \brief In LAS 1.0 two bytes mark the beginning of the points. By the specification
  * LasHeader::points_offset is the offset of the points behind this mark, but some
  * writers store the offset of the mark.
- * \return the length of the mark [bytes] if it is at LasHeader::points_offset, else 0 */
+ * \return the length of the mark [bytes] if it is at LasHeader::points_offset, else 0
+ */
 std::uint32_t
 lengthOfMark (const LasHeader& header, FileReader& reader)
 {
@@ -174,8 +175,8 @@ describesExtraBytes (const LasVlr& vlr)
 }
 
 /** \brief Returns the fields that an Extra Bytes VLR describes.
- * \param[in,out] fields_end offset in a record [bytes]: before the call that of the first
- * field, after it that of the end of the last field */
+ * \param[in,out] fields_end offset in a record [bytes]: before the call that of the
+ * first field, after it that of the end of the last field */
 std::vector<LasField>
 describedFields (const LasVlr& vlr, FileReader& reader, std::uint64_t& fields_end)
 {

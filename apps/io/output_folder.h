@@ -13,8 +13,8 @@ namespace pcl_ops::apps {
  * temporary folder within this folder. Until \p write has returned, nothing else in the
  * folder changes. If several runs end at the same time, they replace the files one
  * after the other.
- * \param[in] is_ours whether a file name is that of an output. Only files with such names
- * are moved into the folder, and only such files are removed from it: those that
+ * \param[in] is_ours whether a file name is that of an output. Only files with such
+ * names are moved into the folder, and only such files are removed from it: those that
  * \p write did not write again.
  * \param[in] write writes the files into the temporary folder that is its argument
  * \throws WorkError that names the folder, also in place of an OutputError of \p write,

@@ -57,8 +57,8 @@ fromQuaternion (const std::vector<double>& n, Eigen::Isometry3d& pose)
 }
 
 /** \brief Sets a pose by the numbers of a line.
- * \param[in] n the first three rows of a matrix, row by row, as KITTI has them (Geiger et
- * al., CVPR 2012)
+ * \param[in] n the first three rows of a matrix, row by row, as KITTI has them (Geiger
+ * et al., CVPR 2012)
  * \return what is wrong with them; empty if nothing is */
 std::string
 fromMatrix (const std::vector<double>& n, Eigen::Isometry3d& pose)

@@ -15,8 +15,8 @@ namespace pcl_ops::apps {
  * the position in m, and the quaternion without unit; or in that of KITTI, the first
  * three rows of the matrix of the transform, row by row. Empty lines and lines that
  * begin with # are skipped.
- * \throws WorkError if the file cannot be read, or has a line that is no pose: the error
- * names the first such line */
+ * \throws WorkError if the file cannot be read, or has a line that is no pose: the
+ * error names the first such line */
 std::vector<Eigen::Isometry3d>
 loadPoses (const std::string& file);
 

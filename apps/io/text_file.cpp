@@ -139,8 +139,8 @@ isComment (const std::string& line)
 
 /** \brief Removes the quotes from a line. Separators in quotes become underscores, as
  * they do not divide a word. A line whose last quote is not closed does not change.
- * \throws WorkError if a quoted number has a decimal comma, unless the line is a comment
- * or semicolons separate the words: then commas are decimal commas everywhere */
+ * \throws WorkError if a quoted number has a decimal comma; but not in a comment, nor
+ * where semicolons separate the words, as commas are decimal commas there */
 void
 removeQuotes (const FileReader& reader, std::string& line)
 {
