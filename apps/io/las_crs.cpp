@@ -56,8 +56,8 @@ crsInWkt (const std::string& text)
   while (!system.empty() && system.back() == '\0')
     system.pop_back();
   // Only the last characters are searched. What the expression matches is shorter, and
-  // std::regex, which recurses for each character, could exhaust the stack on a long
-  // text.
+  // on a long text std::regex of libstdc++, which recurses for each character, could
+  // exhaust the stack.
   constexpr std::size_t max_searched = 100;
   const std::string end =
       system.substr (system.size() - std::min (max_searched, system.size()));

@@ -41,7 +41,7 @@ template <typename Visit>
 void
 forRecords (LasFile& las, Visit&& visit)
 {
-  // 320 KiB to 1.1 MiB of records without extra bytes; chosen by hand.
+  // 0.3 to 1.1 MB of records without extra bytes; chosen by hand.
   constexpr std::uint64_t records_in_block = 1U << 14U;
   const std::uint64_t record_length = las.header.record_length;
   const std::uint64_t block_length = records_in_block * record_length;

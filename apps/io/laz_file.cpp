@@ -90,8 +90,7 @@ private:
   {
     laszip_CHAR* reason = nullptr;
     laszip_get_error (handle, &reason);
-    // LASzip reports any exception in its own code like this: that of an allocation, as
-    // checkCompression refuses files at which other code would throw.
+    // LASzip reports a failed allocation like this, as any exception in its own code.
     if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
       throw std::bad_alloc();
   }
@@ -122,8 +121,9 @@ convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
 {
   // The name in messages is the path, too: both callers open the file itself.
   const std::string& file = las.file;
-  constexpr std::uint64_t points_between_checks = 1U << 14U; // a few milliseconds
-  constexpr laszip_BOOL write_no_header = 1;                 // the caller writes it
+  // So few that the user hardly waits; chosen by hand.
+  constexpr std::uint64_t points_between_checks = 1U << 14U;
+  constexpr laszip_BOOL write_no_header = 1; // the caller writes it
   const Laszip reader (file);
   Laszip writer (file);
   laszip_BOOL is_compressed = 0;
@@ -194,7 +194,7 @@ checkCompression (LasFile& las)
   constexpr std::uint64_t chunk_size_in_content = 12; // offset [bytes]
   // The chunk size of a file whose chunks have different numbers of points.
   constexpr std::uint32_t sizes_differ = std::numeric_limits<std::uint32_t>::max();
-  // The offset of the table in front of the chunks, if the true one ends the file.
+  // What is in front of the chunks if the offset of their table is at the end instead.
   constexpr std::uint64_t table_offset_at_end =
       std::numeric_limits<std::uint64_t>::max();
   if (checkedLaszipContent (las, *las.laszip)[0] == without_chunks)

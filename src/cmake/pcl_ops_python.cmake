@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Sets PCL_OPS_PYTHON, the Python that the module is built for, unless it is given: the first that
-# has NumPy of Python3_EXECUTABLE, as pip gives it, the first on the PATH, and that of the system.
+# has NumPy of Python3_EXECUTABLE, if that is given, the first on the PATH, and that of the system.
 # With pyenv and the like the last two differ. Debian packages are for that of the system.
 function(pcl_ops_choose_python)
   if(PCL_OPS_PYTHON)
