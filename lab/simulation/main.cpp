@@ -13,8 +13,10 @@
 #include <io/pose_file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <regex>
 #include <set>
 
 namespace {
@@ -53,7 +55,8 @@ struct SimulationOptions {
 
 /** Limit for the memory: a point takes 32 bytes, and 16 more while it is written. */
 constexpr double max_points = 1e7;
-/** The points of a town are in memory for one tile at a time. */
+/** The points of a town are in memory for one tile at a time: with the most --tiles a
+ * million. */
 constexpr double max_points_of_town = 1e12;
 
 void
@@ -76,13 +79,14 @@ declareSceneName (CommandLine& line, std::string& scene)
              "slabs",
              "missing",
              "room-kinect"})
-      .help ("a room, a corner of one with boards on posts, 36 houses on a ground, "
-             "round shapes beside a ground, terraces of houses in tiles of .las, "
-             "a camera's way through a room, a street around a lidar, "
-             "a lidar's way along a street, hills, woods and roofs from above, "
-             "a street on hills with bushes, a table whose depth is bent, "
-             "a room of wavy walls, a thin wall and a board from both sides, "
-             "a camera's image with readings at zero, one with depth in steps (room)");
+      .help (
+          "in this order: a room; a corner of one with boards on posts; 36 houses on "
+          "a ground; round shapes beside a ground; terraces of houses in tiles of "
+          ".las; a camera's way through a room; a street around a lidar; a lidar's "
+          "way along a street; hills, woods and roofs from above; a street on hills "
+          "with bushes; a table whose depth is bent; a room of wavy walls; a thin "
+          "wall and a board from both sides; a camera's image of a room with readings "
+          "at zero; one with depth in steps (room)");
 }
 
 void
@@ -141,8 +145,9 @@ declareSensor (CommandLine& line, SimulationOptions& options)
 void
 checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
 {
-  const bool is_room = options.isOfAny ({"room", "furniture", "walk", "missing"});
-  const bool has_camera = is_room || options.isOfAny ({"table", "room-kinect"});
+  // The scenes table and room-kinect have noise of their own.
+  const bool has_profile = options.isOfAny ({"room", "furniture", "walk", "missing"});
+  const bool has_camera = has_profile || options.isOfAny ({"table", "room-kinect"});
   const bool has_rays =
       has_camera || options.isOfAny ({"street", "drive", "street-hills"});
   // No such option goes with --points, which scans without a sensor.
@@ -153,7 +158,7 @@ checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
   };
   checkOption ("width", has_camera);
   checkOption ("height", has_camera);
-  checkOption ("profile", is_room);
+  checkOption ("profile", has_profile);
   checkOption ("organized", has_rays);
 }
 
@@ -199,8 +204,8 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
  * \param[in] count number of files
  * \param[in] advice what the user can do if the memory is too small for a file
  * \param[in] nameOf returns the name of a file by its number
- * \param[in] save writes a file, or none if it has no points, and returns its number of
- * points
+ * \param[in] save writes a file and returns its number of points; without points it
+ * leaves no file
  * \return the summary to print */
 template <typename NameOf, typename Save>
 std::string
@@ -229,6 +234,25 @@ writeFiles (const SimulationOptions& options,
          std::to_string (files) + " files\n";
 }
 
+/** Removes tiles of an earlier, larger town from a folder: they would be taken for
+ * tiles of this one.
+ * \param[in] tiles number of tiles along each side of this town */
+void
+removeTilesBeyond (std::uint32_t tiles, const std::string& folder)
+{
+  const std::regex name_of_tile ("town_([0-9]{3})_([0-9]{3})\\.las");
+  std::vector<fs::path> beyond;
+  for (const fs::directory_entry& entry : fs::directory_iterator (folder)) {
+    const std::string name = entry.path().filename().string();
+    std::smatch numbers; // all, column, row
+    if (std::regex_match (name, numbers, name_of_tile) &&
+        std::max (std::stoul (numbers[1]), std::stoul (numbers[2])) >= tiles)
+      beyond.push_back (entry.path());
+  }
+  for (const fs::path& file : beyond)
+    fs::remove (file);
+}
+
 /** Writes a .las file for each tile that has points.
  * \return the summary to print */
 std::string
@@ -253,12 +277,17 @@ writeTown (const SimulationOptions& options)
       for (int axis = 0; axis < 3; ++axis)
         record.raw[axis] = std::int32_t (std::lround (local[axis]));
     }
-    if (!points.empty())
+    if (points.empty())
+      fs::remove (file); // that of an earlier town
+    else
       saveLas (file, points, millimeter, town.corner);
     return points.size();
   };
   const std::size_t tiles = std::size_t (town.tiles) * town.tiles;
-  return writeFiles (options, tiles, "tiles", "give more --tiles", nameOf, save);
+  const std::string summary =
+      writeFiles (options, tiles, "tiles", "give more --tiles", nameOf, save);
+  removeTilesBeyond (town.tiles, options.output);
+  return summary;
 }
 
 /** Writes the frames of a walk or a drive, and the measured poses.
@@ -303,7 +332,8 @@ writeFolder (const SimulationOptions& options)
   }
   catch (const Interrupted&) {
     throw WorkError (options.output,
-                     "interrupted: its files are whole, but not all; run it again");
+                     "interrupted: each file in it is complete, but some are missing; "
+                     "run it again");
   }
 }
 
