@@ -66,8 +66,8 @@ distanceToGround (const HillyStreet& street, const Vector3d& ray)
   for (int step = 0; step < steps; ++step) {
     const double next = growth * distance;
     const double next_height = heightAboveGround (next);
-    if (height > 0.0 &&
-        next_height <= 0.0) // the ground is taken for straight in a step
+    const bool goes_below = height > 0.0 && next_height <= 0.0;
+    if (goes_below) // the ground is taken for straight in a step
       return distance + (next - distance) * height / (height - next_height);
     distance = next;
     height = next_height;

@@ -24,7 +24,8 @@ using Eigen::Vector3d;
 using Seed = std::uint32_t;
 
 /** Each purpose has its own stream of random numbers, so that a seed gives the same
- * scene with any camera and any noise. */
+ * scene with any camera and any noise. The values seed the streams: append new purposes
+ * at the end, and never move or remove one, or all scenes after it change. */
 enum class Purpose : std::uint32_t {
   Room = 1,
   CameraPose,
@@ -118,8 +119,8 @@ struct Shape {
   double half_u = 0.5, half_v = 0.5;
   SurfaceId surface = no_surface;
   /** A cylinder, cone or torus about an upright axis may exist only in part: over this
-   * share of a whole turn, centered on the direction +y from its axis. \ref castRay
-   * takes it for whole. */
+   * share of a whole turn, centered on the direction +y of the scene from its axis;
+   * Body::addPart does not turn it. \ref castRay takes it for whole. */
   double share = 1.0;
 
   /** Of a rectangle alone. */
@@ -167,7 +168,8 @@ private:
 
 using Shapes = std::vector<Shape>;
 
-/** Eigen::KdBVH looks for a function of this name. */
+/** A box around a rectangle, a sphere or a cylinder. Eigen::KdBVH looks for a function
+ * of this name. */
 Eigen::AlignedBox3d
 bounding_box (const Shape& shape);
 

@@ -138,8 +138,8 @@ rotatingRay (const Lidar& lidar, int step, int beam)
 Vector3d
 rosetteRay (const Lidar& lidar, std::size_t ray)
 {
-  // Turns of the prisms of a Livox Mid-40 [1/s]: the rosette closes after half a
-  // minute.
+  // Turns of the prisms of a Livox Mid-40 [1/s], with which the rosette closes after
+  // half a minute, and its rays.
   constexpr double turns_of_first = 7294.0 / 60.0;
   constexpr double turns_of_second = -4664.0 / 60.0;
   constexpr double rays_a_second = 1e5;

@@ -21,11 +21,12 @@ struct SimulatedCloud {
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
 };
 
-/** Number of surfaces that are no planes, but have parts that a detector may rightly
- * call planes: their truth is unknown. */
+/** The \ref SurfaceId of surfaces that are no planes, but have parts that a detector
+ * may rightly call planes: their truth is unknown. */
 constexpr SurfaceId unknown_surface = std::numeric_limits<SurfaceId>::max();
 
-/** Default of \ref labeledBySize: points of a surface with fewer points get label 0. */
+/** Default of \ref labeledBySize: points of a surface with fewer points get label 0, as
+ * in the paper (section IV-A). */
 constexpr std::size_t min_points_of_plane = 50;
 
 /** Replaces surface numbers by labels, in the order of falling number of points.

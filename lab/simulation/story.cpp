@@ -34,7 +34,7 @@ struct Face {
   std::size_t room;
   int axis;          // 0: x, 1: y
   double coordinate; // of the face on the axis
-  double front;      // the room is at 1: larger, -1: smaller coordinates than the face
+  double front;      // 1: the room is at larger coordinates than the face, -1: smaller
   double from, to;   // range of the face on the other horizontal axis
   std::vector<Hole> holes = {};
 
@@ -147,8 +147,8 @@ drawPassage (const Interval& wall, bool has_glass, Random& random)
   constexpr double beside_pane = 0.3;
   const double door =
       random.between (wall.from + beside_door, wall.to - door_width - beside_door);
-  // Drawn also without glass, so that stories with and without glass use the same
-  // random numbers.
+  // Drawn also without glass, so that a story with glass is the same up to its first
+  // pane, for which one more number is drawn.
   const double pane_width = random.between (1.5, 2.5);
   const bool is_pane = has_glass && wall.to - wall.from > pane_width + 1.0;
   if (!is_pane)
@@ -179,7 +179,7 @@ cutDoorsAndPanes (const StoryHardship& hardship,
       for (Face* const face : {&one, &other})
         face->holes.push_back (passage.hole);
       story.doors.emplace (one.room, other.room);
-      if (!passage.is_pane)
+      if (!passage.is_pane) // a pane is as thick as the wall
         addReveal (one, passage.hole, thickness, body);
     }
 }
@@ -301,10 +301,10 @@ furnish (const Face& face, double share, Random& random, Body& body)
   constexpr double from_wall = 0.01;
   const double first = face.from + from_corner;
   const double last = face.to - from_corner;
-  double missing_length = share * (face.to - face.from); // still to be hidden
+  double length_to_hide = share * (face.to - face.from);
   std::vector<Interval> taken;
-  for (int i = 0; i < attempts && missing_length > narrowest; ++i) {
-    const double width = std::min (missing_length, random.between (0.6, 1.6));
+  for (int i = 0; i < attempts && length_to_hide > narrowest; ++i) {
+    const double width = std::min (length_to_hide, random.between (0.6, 1.6));
     const double begin = random.between (first, std::max (first, last - width));
     const Interval cupboard{begin, begin + width};
     const bool is_taken =
@@ -322,7 +322,7 @@ furnish (const Face& face, double share, Random& random, Body& body)
                  size,
                  HiddenFace::Bottom);
     taken.push_back (cupboard);
-    missing_length -= width;
+    length_to_hide -= width;
   }
 }
 

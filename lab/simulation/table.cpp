@@ -13,6 +13,7 @@ namespace {
 double
 smoothErrorAt (const DepthCamera& camera, int column, int row)
 {
+  // Chosen by hand, so that the error is about 0 over the image: from -0.5 to 0.9.
   constexpr double error_in_the_middle = -0.5;
   constexpr double vertical_share = 0.4; // of the horizontal parabola
   // From -1 at the first to 1 at the last column or row.
@@ -28,7 +29,7 @@ disturbed (double depth, double error, const Table& table, double noise, Random&
 {
   if (!(noise > 0.0))
     return depth;
-  constexpr double blur = 0.35; // width of its distribution [steps]
+  constexpr double blur = 0.35; // width of its distribution, chosen by hand [steps]
   // Errors grow with the depth: these are relative to it.
   const double sigma = noise * table_sigma / table.distance;
   const double measured =

@@ -15,7 +15,7 @@ struct Table {
   double distance = 0.8;       // along the camera's axis [m]
   double tilt = 0.25 * pi;     // angle from the camera's axis to the normal [rad]
   double bend = 0.004;         // smooth depth error, about that of the corners [m]
-  double quantization = 357.0; // CameraNoise::quantization [m]
+  double quantization = 357.0; // steps of 7 cm at 5 m, see CameraNoise::quantization
 
   /** Returns the top of the table in the camera's frame, wider than the view. */
   Shape

@@ -24,7 +24,7 @@ constexpr double width_of_house = 15.0; // [m]
  * longest terrace is 75 m; the rest is for its depth and its shift of up to 4 m. */
 constexpr double reach_of_terrace = 90.0;
 constexpr double edge_of_patch = 8.0; // [m]
-/** Above the number of sides of any terrace: 5 and up to 12 walls beside houses. */
+/** Above the number of sides of any terrace: 5 and up to 11 walls beside houses. */
 constexpr std::uint32_t max_sides = 20;
 
 /** Column and row of a cell in one of two grids in the frame of the streets: each cell
@@ -193,7 +193,8 @@ forEachCell (const AlignedBox2i& range, const Visit& visit)
 Town
 makeTown (Seed seed, double points, double tiles)
 {
-  // Surveyed surface per area of ground, walls and roofs included.
+  // Surveyed surface per area of ground, walls and roofs included: about that of a mean
+  // terrace in its cell.
   constexpr double surface_per_ground = 1.65;
   Town town;
   town.seed = seed;
