@@ -86,8 +86,6 @@ countsOf (const SimulatedCloud& simulated)
 
 TEST (Clouds, AreReproducibleSortedBySizeAndNoisyAsAsked)
 {
-  // No draw of a Gaussian with 32 random bits is farther from 0 [sigma].
-  constexpr double largest_gaussian = 6.67;
   for (const Kind& kind : kinds) {
     SCOPED_TRACE (kind.scene);
     const SimulatedCloud cloud = kind.simulated (7), exact = kind.simulated (7, 0.0);

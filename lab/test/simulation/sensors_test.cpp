@@ -95,7 +95,7 @@ TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
       EXPECT_EQ (image.surfaces[i], no_surface);
     }
   EXPECT_GT (flying, 20);
-  EXPECT_LT (flying, 2 * 120);
+  EXPECT_LT (flying, 2 * 120); // at most the pixels on both sides of the edge
 }
 
 TEST (DepthNoise, LosesWhatIsOutOfRange)

@@ -13,6 +13,10 @@ namespace pcl_ops::simulation {
 /** Rounding error: a few ulp of single precision at room size [m]. */
 constexpr double rounding = 2e-6;
 
+/** No draw of Random::gaussian is farther from 0 [sigma]: its 32 bits give at least
+ * 2^-32, and the root of -2 ln 2^-32 is 6.66. */
+constexpr double largest_gaussian = 6.67;
+
 constexpr double degree = pi / 180.0;
 
 inline const Isometry3d origin = Isometry3d::Identity();
