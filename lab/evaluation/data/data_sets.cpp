@@ -178,10 +178,15 @@ cloudFilesAt (const std::string& path)
   if (!fs::is_directory (path, error))
     return {path};
   std::set<fs::path> files;
+  // A folder that cannot be read ends the loop and leaves its error.
   for (fs::recursive_directory_iterator entry (path, error), end; entry != end;
        entry.increment (error))
     if (isCloudFile (entry->path().string()))
       files.insert (entry->path());
+  if (error)
+    throw WorkError (path,
+                     "has a folder that cannot be read (" + error.message() +
+                         "); change its permissions");
   if (files.empty())
     throw WorkError (
         path, "has no " + folderExtensions() + " file; give a folder with clouds");

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <evaluation/data/data_sets.h>
+#include <support/temporary_folder.h>
+#include <support/text.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -102,7 +105,19 @@ TEST (Truth, IsTheExactOneButForSmallPlanesOrGrown)
   EXPECT_EQ (pointsWith (truthOf (cloud, parameters), 0), 49);
 }
 
-} // namespace
+TEST (CloudsDataSet, AFolderThatCannotBeReadIsAnErrorNotTheEndOfTheClouds)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may read everything";
+  const TemporaryFolder folder;
+  folder.write ("floor.xyz", "0 0 0\n");
+  fs::create_directory (folder / "closed");
+  fs::permissions (folder / "closed", fs::perms::none);
+  const std::string complaint =
+      complaintOf ([&] { dataSetOf ("clouds:" + folder.path()); });
+  fs::permissions (folder / "closed", fs::perms::owner_all); // for its removal
+  EXPECT_TRUE (contains (complaint, "has a folder that cannot be read")) << complaint;
+}
 
 TEST (SimulatedDataSet, SaysWhichPointsOfHillsAreUnknownAndAsksForSmallRoofs)
 {
@@ -130,3 +145,5 @@ TEST (SimulatedDataSet, IsLevelByTheUpAxisAlsoInACamerasFrame)
   EXPECT_LT (image.up.y(), -0.8); // y points down in such a frame
   EXPECT_NEAR (image.up.norm(), 1.0, 1e-9);
 }
+
+} // namespace
