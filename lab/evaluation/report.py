@@ -9,9 +9,10 @@ has, the tables of the paper with its figures beside ours; how many planes a gro
 by the points of the smallest (truth.png); comparison.csv, a row for each data set and method,
 with versions of detectors.txt (pcl_ops_evaluate detectors); plots of the accuracy over time
 and over the sampling rate. Of comparison.csv figure.png: all methods on simulated and on real
-data sets or, where there is one kind, on rooms and streets or the first two. Of labels/ (pcl_ops_evaluate run --labels)
-strips of pictures. Of scaling.csv (pcl_ops_benchmark --scaling) throughput.png and plots of
-the time over what grows. Of steadiness.csv (scripts/accuracy steadiness) steadiness.png.
+data sets or, where there is one kind, on rooms and streets or the first two. Of labels/
+(pcl_ops_evaluate run --labels) strips of pictures. Of scaling.csv (pcl_ops_benchmark --scaling)
+throughput.png and plots of the time over what grows. Of steadiness.csv (scripts/accuracy
+steadiness) steadiness.png.
 """
 import csv
 import math
@@ -185,7 +186,7 @@ def values_of(method, mean):
         return "own"
     if method.startswith(("pcl-", "cgal-", "open3d", "voxel-octree")):
         return "cloud" if method.endswith("-measured") else "tutorial"
-    return "paper" if "-" in method else "default"
+    return "paper" if method in PAPER else "default"
 
 
 def write_comparison(means_of_sets, folder):
@@ -201,8 +202,8 @@ def write_comparison(means_of_sets, folder):
             for method, mean in means.items():
                 has_time = mean["clouds"] > 0 and not is_own(mean)
                 seconds = 1e3 * mean["detection_ms"] / mean["points"] if has_time else ""
-                writer.writerow([data_set, method, versions.get(method, ""), values_of(method, mean),
-                                mean["clouds"], mean["stopped"]] +
+                writer.writerow([data_set, method, versions.get(method, ""),
+                                values_of(method, mean), mean["clouds"], mean["stopped"]] +
                                ["" if math.isnan(mean[column]) else round(mean[column], 4)
                                 for column in SUMMARY] + [seconds and f"{seconds:.3g}"])
 
@@ -232,7 +233,8 @@ def report_results(all_rows, folder):
     groups = defaultdict(list)
     for row in latest(all_rows):
         groups[row["data_set"], row["truth"]].append(row)
-    report, means_of_sets, truths = "", {}, {}
+    report, truths = "", {}
+    means_of_sets = {}  # of several truths of a data set the last one by name
     for (data_set, truth), rows in sorted(groups.items()):
         name = f"{data_set}, truth {truth}"
         means = means_of_sets[data_set] = means_of(rows)

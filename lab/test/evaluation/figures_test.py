@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the strips of pictures show: the better setting of a method, and rooms from inside.
+"""What the strips of pictures show: the better setting of a method, and rooms from inside; and
+where the report says that the values of parameters come from.
 
 python3 figures_test.py SOURCES: the project's folder.
 """
@@ -11,6 +12,8 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "lab/evaluation"))
+import report  # noqa: E402
+
 try:
     import figures
     import numpy as np
@@ -28,6 +31,16 @@ def room_seen_all_around():
              [zero, along, across / 2], [zero + 6, along, across / 2]]
     points = np.concatenate([np.stack(part, axis=1) for part in ([along, across, zero], *walls)])
     return points, np.repeat([FLOOR, WALL, WALL, WALL, WALL], along.size)
+
+
+class ValuesOfParameters(unittest.TestCase):
+    def test_come_from_the_paper_for_rows_of_its_tables_alone(self):
+        has_time = {"clouds": 1, "detection_ms": 1.0}
+        for method, source in (("ops-3-30", "paper"), ("ops-s1-3-10", "paper"),
+                               ("fspf-0.07-0.14", "paper"), ("ops", "default"),
+                               ("ops-voxels", "default"), ("ops-without-merging", "default"),
+                               ("pcl-sac", "tutorial"), ("pcl-sac-measured", "cloud")):
+            self.assertEqual(report.values_of(method, has_time), source, method)
 
 
 @unittest.skipUnless(figures, "needs NumPy, matplotlib and Pillow")
