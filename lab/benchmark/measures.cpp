@@ -44,7 +44,7 @@ detectorsOn (const XyzCloud::ConstPtr& cloud,
     if (runs > 0 && !detector.needs_image)
       measures.push_back (
           {detector.name, runs, [=] {
-             constexpr unsigned time_limit = 600; // [s]
+             constexpr unsigned time_limit = 600; // as EvaluationPlan has [s]
              if (const auto run = runLimited (detector, cloud, settings, time_limit))
                return run->durations;
              std::cerr << detector.name << ": stopped after " << time_limit << " s\n";

@@ -24,6 +24,7 @@ IN_STRIP = ("truth", "ops", "cgal-region-growing", "cgal-ransac", "pcl-region-gr
 MEASURED = "-measured"  # end of a method's name, where its parameters come from the cloud
 OUR_COLOR, PEER_COLOR, OWN_COLOR = "C3", "C0", "C2"  # own: labels of a user's detector
 COLORS_OF_PNG = 128  # enough for the pictures; a file takes half the bytes
+MIN_POINTS_OF_PLANE = 50  # of a true plane by default (pcl_ops_evaluate run --min-plane-points)
 
 
 def finish(axes, x_label, y_label, file):
@@ -42,7 +43,8 @@ def save(figure, file):
     figure.set_dpi(100)
     figure.canvas.draw()
     pixels = np.asarray(figure.canvas.buffer_rgba())[..., :3]
-    Image.fromarray(pixels).quantize(COLORS_OF_PNG, dither=Image.Dither.NONE).save(file, optimize=True)
+    image = Image.fromarray(pixels).quantize(COLORS_OF_PNG, dither=Image.Dither.NONE)
+    image.save(file, optimize=True)
     plt.close(figure)
 
 
@@ -62,6 +64,7 @@ def plot_accuracy(name, means, folder):
              if configuration not in own}
     for metric in ("classification_accuracy", "segmentation_accuracy"):
         label = metric.replace("_", " ") + " [%]"
+
         axes = plt.subplots()[1]
         axes.set(title=name, xscale="log", ylim=(0, 100))
         for family in dict.fromkeys(configuration.partition("-")[0] for configuration in means):
@@ -101,7 +104,8 @@ def plot_true_planes(truths, bounds, of_paper, file):
     truths: by name, the number of all planes and of those of at least each of the bounds.
     """
     axes = plt.subplots(figsize=(8, 5))[1]
-    axes.set(xscale="log", yscale="log", xticks=(50, *bounds), yticks=(1, 10, 100, 1000))
+    all_bounds = (MIN_POINTS_OF_PLANE, *bounds)
+    axes.set(xscale="log", yscale="log", xticks=all_bounds, yticks=(1, 10, 100, 1000))
     axes.minorticks_off()
     axes.xaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_major_formatter("{x:g}")
@@ -109,7 +113,7 @@ def plot_true_planes(truths, bounds, of_paper, file):
     by_neighbors = sorted(truths.items(), key=lambda truth: int(truth[0].rpartition("-k")[2]))
     for (name, counts), style in zip(by_neighbors, styles_of(by_neighbors, data_sets)):
         label = name.replace("truth grown-k", "normals of ") + " neighbors"
-        axes.plot((50, *bounds), counts, style, label=label)
+        axes.plot(all_bounds, counts, style, label=label)
     axes.axhline(of_paper, color="black", linestyle="--", linewidth=1, label="the paper")
     finish(axes, "points of the smallest plane", "true planes per cloud", file)
 
@@ -125,7 +129,7 @@ def label_dots(axes, dots):
     taken = [matplotlib.transforms.Bbox.from_bounds(x - dot_size / 2, y - dot_size / 2,
                                                     dot_size, dot_size)
              for x, y in axes.transData.transform([dot for _, dot, _ in dots])]
-    # Offsets of a name [points], the nearest first, and which of its sides is there.
+    # Offsets of a name [points], the nearest first, and which of its sides is there; chosen by eye.
     offsets = [(x, y, "left" if x > 0 else "right" if x < 0 else "center")
                for far in (1, 2, 3, 4)
                for x, y in ((8, -4), (-8, -4), (0, 9 * far), (0, -17 * far), (8, 7 * far),
@@ -328,11 +332,13 @@ def view_of(points, origin, axes):
     depth camera; else from a corner if the cloud is a room, less than 20 m wide; else
     from above."""
     low, high = points.min(axis=0), points.max(axis=0)
-    by_camera = seen_by(points, origin, axes, reach=2)
+    by_camera = seen_by(points, origin, axes, reach=2)  # 127 degrees: wider than depth cameras
     if by_camera.shown.all():
         return by_camera
     if max(high - low) < 20:  # [m]
-        return seen_by(points, *corner_camera(points), 0.25 * np.hypot(*(high - low)[:2]), 1.2)
+        # What is nearer, as the walls at the corner, would hide the room.
+        nearest = 0.25 * np.hypot(*(high - low)[:2])
+        return seen_by(points, *corner_camera(points), nearest, reach=1.2)
     margin = 0.1 * (high - low)
     inside = (low + margin < origin) & (origin < high - margin)
     return from_above(points, origin if inside[:2].all() else (low + high) / 2)
@@ -360,6 +366,7 @@ def picture_of(points, colors, origin, axes, width=424):
     """The image of points in the colors of their planes; those on no plane are gray.
 
     colors: the number of a color for each point; 0: on no plane
+    width: of the image [pixels]; the default is a third of a strip, less the gaps
     """
     # Without grays, which would look like points on no plane.
     palette = np.array([color for name in ("tab20", "tab20b", "tab20c", "Set1", "Dark2")
@@ -460,7 +467,7 @@ def plot_throughput(rows, folder):
         axes.set(yscale="log", ylabel="million points per second")
         axes.grid(True, axis="y", alpha=0.3)
         axes.legend(fontsize=9, loc="upper left")
-        axes.set_ylim(top=6 * axes.get_ylim()[1])
+        axes.set_ylim(top=6 * axes.get_ylim()[1])  # room for the legend
     save(figure, folder / "throughput.png")
 
 

@@ -12,12 +12,12 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr std::size_t fewest_points_of_region = 50;
+constexpr std::size_t fewest_points_of_region = 50; // the paper's, section IV-A
 constexpr double max_distance = 0.05; // of a point to the plane of its region [m]
-/** The plane of a region is fitted first when the region has this number of points. */
-constexpr double points_of_first_fit = 10.0;
-/** It is fitted again whenever the number of points has grown by this factor. */
-constexpr double growth_until_next_fit = 1.3;
+/** The plane of a region is fitted first when the region has this number of points, and
+ * again whenever the number has grown by this factor: both are chosen by hand, and save
+ * a fit for each point. */
+constexpr double points_of_first_fit = 10.0, growth_until_next_fit = 1.3;
 
 struct PointWithNormal {
   Vector3d position;

@@ -34,16 +34,17 @@ using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
 
 /** Number of neighbors for a normal in CGAL's tutorial. */
 constexpr unsigned tutorial_neighbors = 24;
-/** Default number of points of the smallest region. CGAL drops a smaller one and grows
- * it again from each of its points: with min_share_of_plane as the default, as for
- * Efficient RANSAC, that takes minutes. */
+/** Default number of points of the smallest region. It is no min_share_of_plane, as for
+ * Efficient RANSAC: CGAL drops a smaller region and grows it again from each of its
+ * points, which then takes minutes. */
 constexpr std::size_t min_points_of_region = 50;
 /** Largest angle between the normals of a point and of its plane: CGAL's default for
  * both detectors [degree]. */
 constexpr float max_normal_angle = 25.0f;
 /** Probability to miss the largest plane: CGAL's default. */
 constexpr float miss_probability = 0.05f;
-/** Share of the points that the smallest plane of Efficient RANSAC has, by default. */
+/** Share of the points that the smallest plane of Efficient RANSAC has, by default;
+ * chosen by hand. */
 constexpr double min_share_of_plane = 0.002;
 
 /** Returns the number of neighbors for a normal. */

@@ -84,7 +84,8 @@ addConfiguration (std::vector<Configuration>& all,
       all.back().groups.insert ("table4");
 }
 
-/** Adds ops-pieces: the default, but each connected component is a plane. */
+/** Adds ops-pieces: the default, which no seed changes, but each connected component is
+ * a plane. */
 void
 addPieces (std::vector<Configuration>& all)
 {

@@ -30,7 +30,8 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Distance threshold of a peer, in multiples of the noise. */
+/** Distance threshold of a peer, in multiples of the noise: 99.7 % of the points of a
+ * plane with normally distributed noise are within it. */
 constexpr double threshold_in_noises = 3.0;
 
 /** Returns the rms distance of inliers to their planes, as found by the default preset
@@ -58,8 +59,10 @@ noiseOf (const XyzCloud::ConstPtr& cloud)
 double
 spacingOf (const XyzCloud::ConstPtr& cloud)
 {
-  constexpr int neighbors = 30;         // the point itself is one of them
-  constexpr std::size_t samples = 2000; // points at most
+  // Chosen by hand: neighbors, of which the point itself is one, and the number of
+  // points at most.
+  constexpr int neighbors = 30;
+  constexpr std::size_t samples = 2000;
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (cloud);
   std::vector<double> spacings;
@@ -200,6 +203,7 @@ Planes
 peelPlanes (const PeerTask& task,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment)
 {
+  // Chosen by hand.
   constexpr std::size_t max_planes = 40;
   constexpr std::size_t default_min_inliers = 500;
   constexpr double rest_share_at_end = 0.02; // of the points of the cloud
@@ -264,7 +268,7 @@ planesByPclRegionGrowing (const PeerTask& task)
   growing.setInputNormals (normals);
   growing.setSearchMethod (tree);
   growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
-  // PCL's tutorial has 3 degrees.
+  // The angle of the paper; PCL's tutorial has 3 degrees.
   growing.setSmoothnessThreshold (float (paper_angle_tolerance));
   growing.setCurvatureThreshold (1.0f); // as in PCL's tutorial: normals alone decide
   growing.setMinClusterSize (pcl::uindex_t (task.minPoints (min_points_of_region)));

@@ -19,8 +19,10 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr int layers = 4; // each has voxels of half the edge of the layer before
+// Chosen by hand; each layer has voxels of half the edge of the layer before.
+constexpr int layers = 4;
 constexpr std::size_t min_points_of_voxel = 5;
+/** As for the region growing of PCL and of CGAL. */
 constexpr std::size_t min_points_of_plane = 50;
 
 struct OctreeParameters {
@@ -68,8 +70,8 @@ struct VoxelOctree {
       return;
     Moments sums;
     sums.origin = center;
-    std::array<pcl::Indices, 8>
-        octants; // bit i of the index: above the center on axis i
+    // Bit i of the index: above the center on axis i.
+    std::array<pcl::Indices, 8> octants;
     for (const pcl::index_t i : members) {
       const Vector3d point = cloud[i].getVector3fMap().cast<double>();
       addTo (sums, point);
