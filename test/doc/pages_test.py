@@ -60,7 +60,7 @@ CLAIMS = [
      [("ScanNet", REGION_GROWING, "F 0.5"), ("NavVis", REGION_GROWING, "F 0.5")])]
 # A figure of accuracy or time: a decimal fraction, a percentage, a time.
 FIGURE = re.compile(r"(?<![\w.])(?:\d*\.\d+|\d[\d,]*(?= ?(?:%|ms|s|seconds|minutes)\b| %))")
-# Rows of the table of difficult scenes: data set, number of clouds, F at both overlaps or a dash.
+# Rows of the table of scenes with faults: data set, number of clouds, F at both overlaps or a dash.
 FAULTS = re.compile(r"^\| `([a-z-]+):1-(\d+)` \| (-|[\d.]+/[\d.]+) \|", re.MULTILINE)
 # Rows of the table of stability, and the columns of accuracy.csv.
 CHANGES = {"moved": "moved", "turned": "turned", "1 % of the points left out": "thinned",
@@ -163,8 +163,10 @@ def thousandths(value):
 
 
 def stored_number():
-    """The one number over all sets (scripts/accuracy), and the numbers of clouds and of sets, as
-    texts."""
+    """The one number over all sets, and the numbers of clouds and of sets, as texts.
+
+    The head of scripts/accuracy says how the number is made.
+    """
     sets = [row for row in stored_accuracy().values() if row["clouds"]]
     truth = [float(row["f_score"]) for row in sets if row["f_score"]]
     thin = [float(row["on_planes_share"]) - 2.0 * float(row["thick_length_share"])

@@ -264,10 +264,11 @@ class Writer(unittest.TestCase):
             for fitting in (labels, labels.ravel()):
                 back = self.written("a.pcd", given, fitting, distances=0.5 * fitting)
                 self.assertEqual(back.labels.tolist(), list(range(8)))
-            for wrong in (labels.T, labels.reshape(4, 2), labels.reshape(2, 2, 2)):
-                with self.assertRaisesRegex(ValueError, r"labels: shape \(.*\) is not \(.*8,|2, 4\), that"):
+            for wrong in (labels.T, labels.reshape(8, 1), labels.reshape(2, 2, 2)):
+                problem = re.escape(f"shape {wrong.shape} is not (2, 4), that of the points")
+                with self.assertRaisesRegex(ValueError, f"^labels: {problem}"):
                     self.written("a.pcd", given, wrong)
-                with self.assertRaisesRegex(ValueError, r"distances: shape \(.*\) is not \("):
+                with self.assertRaisesRegex(ValueError, f"^distances: {problem}"):
                     self.written("a.pcd", given, labels, distances=0.5 * wrong)
         with self.assertRaisesRegex(ValueError, r"labels: shape \(2, 4\) is not \(8,\), that of the points"):
             self.written("a.pcd", points.reshape(8, 3), labels)

@@ -458,4 +458,4 @@ time.sleep(0.2)
             threading.Timer(seconds_until_interruption, os.kill,
                             (os.getpid(), signal.SIGINT)).start()
             pcl_ops.segment(cloud)
-            time.sleep(10)
+            time.sleep(10)  # [s]; on a fast machine the signal comes only here

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Includes that point up, and options that do not exist, are refused.
+"""scripts/check refuses includes that point up, to a layer above that of the file, and unknown options.
 
 python3 check_test.py SOURCES: the project's folder.
 """
@@ -39,7 +39,7 @@ class Includes(unittest.TestCase):
         for header in ("<pcl_ops/buildings/plane_kinds.h>", '"buildings/stories.h"',
                        '"../buildings/stories.h"'):
             with self.subTest(header):
-                self.setUp()
+                self.setUp()  # a copy without the include of the header before
                 self.assertIn("the core must not include buildings",
                               self.check("src/plane_filter.cpp", header))
 
@@ -50,7 +50,7 @@ class Includes(unittest.TestCase):
     def test_of_what_the_core_hides_are_refused_in_buildings(self):
         for header in ('"geometry/inliers.h"', "<pcl_ops/detail/detection.h>"):
             with self.subTest(header):
-                self.setUp()
+                self.setUp()  # a copy without the include of the header before
                 self.assertIn("buildings must do with the public headers",
                               self.check("src/buildings/floor_plan.cpp", header))
 

@@ -15,7 +15,7 @@ import unittest
 SCRIPT = str(pathlib.Path(sys.argv[1]) / "scripts" / "mutate")
 loader = importlib.machinery.SourceFileLoader("mutate", SCRIPT)
 mutate = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutate", loader))
-sys.modules["mutate"] = mutate
+sys.modules["mutate"] = mutate  # where its data classes look for their module
 sys.dont_write_bytecode = True
 loader.exec_module(mutate)
 
@@ -62,7 +62,7 @@ class Lines(unittest.TestCase):
         one, again, other = (mutate.draw_lines("", 10, seed) for seed in (1, 1, 2))
         self.assertEqual(one, again)
         self.assertNotEqual(one, other)
-        self.assertEqual(len(one), 15)
+        self.assertEqual(len(one), 15, "half as many again as asked for, as not all compile")
 
     def test_of_constants_take_along_what_is_made_of_them(self):
         self.source.write_text("constexpr double a = constants.b;\nconstexpr double c = 1.0;\n")
