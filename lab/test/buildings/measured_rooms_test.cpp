@@ -164,7 +164,7 @@ wallsOf (const FloorPlan& plan)
 
 } // namespace
 
-TEST (MeasuredRooms, HaveTheirWalls)
+TEST (MeasuredRooms, HaveMostOfTheirWallsAndFewOthers)
 {
   constexpr double same = 0.1; // largest distance of equal walls [m]
   double measured_length = 0.0;
@@ -195,7 +195,8 @@ TEST (MeasuredRooms, HaveTheirWalls)
   }
   if (measured_length == 0.0)
     GTEST_SKIP() << "no clouds in " << PCL_OPS_DATA_DIR;
-  // The accuracy page has 95 % and 96 %. These limits leave room for small losses.
+  // The accuracy page has 95 % and 96 % of ScanNet, 82 % and 87 % of pcl_room_scan1.
+  // Over both, these limits leave room for small losses.
   EXPECT_GT (found_length, 0.85 * measured_length);
   EXPECT_GT (right_length, 0.90 * drawn_length);
 }

@@ -136,7 +136,7 @@ expectNearlyAll (const Tally& rooms)
 
 } // namespace
 
-TEST (Stories, HaveAllRoomsAndNoOthers)
+TEST (Stories, ThatArePlainHaveAllRoomsAndDoorsAndNoOthers)
 {
   const Tally plain = tallyOf ("plain", {}, 1);
   EXPECT_EQ (plain.found_rooms, plain.true_rooms);

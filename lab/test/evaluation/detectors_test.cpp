@@ -105,7 +105,8 @@ TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
 
 TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanTwelveNoises)
 {
-  // Hills consist of pieces that are thin each, but thick when merged.
+  // Hills consist of pieces that are thin each, but thick when merged. The limit is
+  // max_noises_of_plane in src/ops/constants.h.
   int files = 0;
   for (const std::string name : {"lidar/nuscenes_20.pcd",
                                  "lidar/kitti_77.pcd",

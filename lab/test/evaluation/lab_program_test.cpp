@@ -178,7 +178,7 @@ TEST_F (LabProgram, HasTheFifteenDetectorsOfTable3AndThreeOfStrategy1)
   EXPECT_EQ (linesWith (" table3", shell ("pcl_ops_evaluate detectors").out), 18u);
 }
 
-TEST_F (LabProgram, HasEveryPeerWithTheThresholdMeasuredToo)
+TEST_F (LabProgram, HasEveryPeerWithMeasuredValuesToo)
 {
   const std::string detectors = shell ("pcl_ops_evaluate detectors").out;
   EXPECT_GT (linesWith (" peers,", detectors), 0u);
