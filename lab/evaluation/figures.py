@@ -145,6 +145,7 @@ def label_dots(axes, dots):
             if fits or (x, y, side) == offsets[-1]:
                 break
             label.remove()
+        # A line leads to the lower edge of a name above, or to the upper edge of one below.
         if name and abs(y) > 9:
             axes.annotate("", dot, xytext=(x, y + 9 * (y < 0)), textcoords="offset points",
                           arrowprops={"arrowstyle": "-", "color": color, "linewidth": 0.7})
@@ -174,6 +175,17 @@ def dots_of(rows, data_sets):
             for method, of_method in rows_of_method.items() if len(of_method) == len(data_sets)}
 
 
+def add_legend_of_settings(axes, has_own):
+    """Says what filled and empty dots are and, with labels of one's own, what their line is."""
+    marks = [axes.scatter([], [], color="gray", s=45, label="values of tutorials"),
+             axes.scatter([], [], color="gray", s=45, facecolors="none",
+                          label="values measured from the cloud")]
+    if has_own:
+        marks += axes.plot([], [], color=OWN_COLOR, linestyle="--",
+                           label="labels of one's own, no time")
+    axes.legend(handles=marks, fontsize=12, loc="upper right")
+
+
 def plot_comparison(rows, folder):
     """F-score over the time per million points: a panel for simulated data sets, and one for
     real ones; where there is one kind, for rooms and streets or the first two data sets."""
@@ -181,7 +193,6 @@ def plot_comparison(rows, folder):
     panels_by_title = panels_of(list(dict.fromkeys(row["data_set"] for row in rows)))
     if not panels_by_title:
         return
-    has_own = any(row["values"] == "own" for row in rows)
     best = max(float(row["f_score"]) for row in rows
                if any(row["data_set"] in names for names in panels_by_title.values()))
     count = len(panels_by_title)
@@ -209,13 +220,7 @@ def plot_comparison(rows, folder):
         draw_own(axes, {row["method"]: float(row["f_score"]) for row in rows
                         if row["data_set"] in data_sets and row["values"] == "own"})
     panels[-1][0].set_xlabel("processor time per million points [s]", fontsize=13)
-    marks = [panels[0][0].scatter([], [], color="gray", s=45, label="values of tutorials"),
-             panels[0][0].scatter([], [], color="gray", s=45, facecolors="none",
-                                  label="values measured from the cloud")]
-    if has_own:
-        marks += panels[0][0].plot([], [], color=OWN_COLOR, linestyle="--",
-                                   label="labels of one's own, no time")
-    panels[0][0].legend(handles=marks, fontsize=12, loc="upper right")
+    add_legend_of_settings(panels[0][0], any(row["values"] == "own" for row in rows))
     figure.canvas.draw()
     figure.set_layout_engine("none")
     for axes, labels in labels_of_axes.items():

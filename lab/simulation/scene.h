@@ -123,14 +123,14 @@ struct Shape {
    * Body::addPart does not turn it. \ref castRay takes it for whole. */
   double share = 1.0;
 
-  /** Of a rectangle alone. */
+  /** Only rectangles have one. */
   Vector3d
   normal () const
   {
     return u.cross (v);
   }
 
-  /** Of a rectangle alone. */
+  /** Only rectangles have one. */
   Plane
   plane () const
   {

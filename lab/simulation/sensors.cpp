@@ -46,7 +46,8 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 std::optional<double>
 depthBeyondEdge (const Field& depths, Eigen::Index row, Eigen::Index column)
 {
-  // Neighboring depths that differ by more, relative to the depth, are an edge.
+  // Neighboring depths that differ by more, relative to the depth, are an edge; chosen
+  // by hand.
   constexpr double edge_ratio = 0.05;
   // How far each neighbor is down and to the right.
   constexpr Eigen::Index neighbors[4][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
@@ -70,7 +71,7 @@ depthBeyondEdge (const Field& depths, Eigen::Index row, Eigen::Index column)
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
-  // Shares of the pixels at depth edges.
+  // Shares of the pixels at depth edges, chosen by hand.
   constexpr double flying_share = 0.3;
   constexpr double lost_share = 0.2;
   const Field exact = image.depth;
@@ -164,7 +165,7 @@ castDepthImage (const Scene& scene,
                 const Jitter& jitter)
 {
   // Largest difference between the depths on the exact and on the jittered ray,
-  // relative to the depth. A larger one means a grazing view.
+  // relative to the depth, chosen by hand. A larger one means a grazing view.
   constexpr double max_change = 0.1;
   DepthImage image{Field (camera.height, camera.width), {}};
   const std::vector<Plane> planes = surfacePlanes (scene);
@@ -283,7 +284,8 @@ scanAround (const CastRay& cast,
             std::size_t scan_number)
 {
   Random random = randomFor (Purpose::LidarNoise, seed);
-  Scan scan{std::size_t (lidar.steps), std::size_t (lidar.beams), true};
+  constexpr bool column_by_column = true;
+  Scan scan{std::size_t (lidar.steps), std::size_t (lidar.beams), column_by_column};
   const std::size_t rays = scan.columns * scan.rows;
   scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
   scan.surfaces.assign (rays, no_surface);

@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::AlignedBox2d;
 
-// All lengths and heights are in meters.
+// All lengths and heights are in meters. They are those of common rooms, chosen by
+// hand.
 
 constexpr double ceiling_height = 2.6;
 constexpr std::size_t rays_per_position = 100'000;

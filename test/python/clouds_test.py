@@ -222,6 +222,51 @@ class Reader(unittest.TestCase):
             self.assertEqual(file.read(), "1 2 3\n")
 
 
+def wrong_writes(points, labels, survey):
+    """Calls of write that fail: file, cloud, further arguments, the error, and a part of its text.
+
+    points, labels: a room, and a label for each of its points
+    survey: a cloud of 29500 points that was read from a LAS file
+    """
+    return (
+        ("a.png", points, {}, ValueError, "a.png: has an unknown extension; give .pcd, .ply"),
+        ("b.las", points, {"labels": labels}, ValueError, "b.las: is LAS, which the cloud was"),
+        ("b.las", survey, {}, ValueError, "labels: are what is added to a .las"),
+        ("b.las", survey._replace(points=survey.points + 1),
+         {"labels": labels[:len(survey.points)]}, ValueError, "has other points than the cloud"),
+        ("b.pcd", points, {"labels": labels[1:]}, ValueError, "labels: shape"),
+        ("b.pcd", points, {"labels": labels * 0.5}, TypeError, "labels: dtype float64"),
+        ("b.pcd", points, {"distances": labels * 0.5}, ValueError, "distances: are those to"),
+        ("b.pcd", points, {"labels": labels, "distances": [0.5]}, ValueError,
+         "distances: shape (1,) is not (29600,), that of the points"),
+        ("b.pcd", points, {"labels": labels, "distances": labels}, TypeError,
+         "distances: dtype int64 is not one of floating point numbers"),
+        ("none/b.pcd", points, {}, OSError, "none"),
+        ("b.pcd", survey._replace(height=7), {}, ValueError, "cloud: 29500 points are no image"),
+        ("b.pcd", survey._replace(fields={"a": np.ones(3)}), {}, ValueError,
+         "cloud: the field a has 3 of float64 for 29500 points"),
+        ("b.pcd", survey._replace(fields={"a": np.ones(29500, bool)}), {}, ValueError,
+         "cloud: the field a has 29500 of bool for 29500 points"),
+        ("b.pcd", survey._replace(fields={"a b": np.ones(29500)}), {}, ValueError,
+         "cloud: the field 'a b' has a name that files cannot have"),
+        ("b.pcd", survey._replace(fields={"a": [1.0] * 29500}), {}, TypeError,
+         "cloud: the field a is a list; give an array of NumPy"),
+        ("b.pcd", survey._replace(fields={5: np.ones(29500)}), {}, ValueError,
+         "cloud: the field 5 has a name that files cannot have"),
+        ("b.pcd", survey._replace(viewpoint=(1, 2)), {}, TypeError,
+         "cloud.viewpoint: has to be three numbers (x, y, z), not (1, 2)"),
+        ("b.pcd", survey._replace(orientation=(1, 2)), {}, TypeError,
+         "cloud.orientation: has to be four numbers (w, x, y, z), not (1, 2)"),
+        ("b.pcd", survey._replace(height=2.0), {}, TypeError,
+         "cloud.height: has to be a number of rows from 1, not 2.0"),
+        ("b.pcd", points, {"labels": labels, "keep_color": "no"}, TypeError,
+         "keep_color: has to be True or False, not 'no'"),
+        ("b.pcd", points, {"labels": np.ma.masked_equal(labels, 0)}, TypeError,
+         "labels: a masked array"),
+        ("b.pcd", np.zeros((5, 3), int), {}, TypeError, "points: dtype"),
+    )
+
+
 class Writer(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -304,43 +349,7 @@ class Writer(unittest.TestCase):
         (self.folder / "a.las").write_bytes(las(points[np.isfinite(points[:, 0])]))
         survey = pcl_ops.read(self.folder / "a.las")
         labels = np.zeros(len(points), int)
-        for name, cloud, arguments, error, part_of_message in (
-            ("a.png", points, {}, ValueError, "a.png: has an unknown extension; give .pcd, .ply"),
-            ("b.las", points, {"labels": labels}, ValueError, "b.las: is LAS, which the cloud was"),
-            ("b.las", survey, {}, ValueError, "labels: are what is added to a .las"),
-            ("b.las", survey._replace(points=survey.points + 1),
-             {"labels": labels[:len(survey.points)]}, ValueError, "has other points than the cloud"),
-            ("b.pcd", points, {"labels": labels[1:]}, ValueError, "labels: shape"),
-            ("b.pcd", points, {"labels": labels * 0.5}, TypeError, "labels: dtype float64"),
-            ("b.pcd", points, {"distances": labels * 0.5}, ValueError, "distances: are those to"),
-            ("b.pcd", points, {"labels": labels, "distances": [0.5]}, ValueError,
-             "distances: shape (1,) is not (29600,), that of the points"),
-            ("b.pcd", points, {"labels": labels, "distances": labels}, TypeError,
-             "distances: dtype int64 is not one of floating point numbers"),
-            ("none/b.pcd", points, {}, OSError, "none"),
-            ("b.pcd", survey._replace(height=7), {}, ValueError, "cloud: 29500 points are no image"),
-            ("b.pcd", survey._replace(fields={"a": np.ones(3)}), {}, ValueError,
-             "cloud: the field a has 3 of float64 for 29500 points"),
-            ("b.pcd", survey._replace(fields={"a": np.ones(29500, bool)}), {}, ValueError,
-             "cloud: the field a has 29500 of bool for 29500 points"),
-            ("b.pcd", survey._replace(fields={"a b": np.ones(29500)}), {}, ValueError,
-             "cloud: the field 'a b' has a name that files cannot have"),
-            ("b.pcd", survey._replace(fields={"a": [1.0] * 29500}), {}, TypeError,
-             "cloud: the field a is a list; give an array of NumPy"),
-            ("b.pcd", survey._replace(fields={5: np.ones(29500)}), {}, ValueError,
-             "cloud: the field 5 has a name that files cannot have"),
-            ("b.pcd", survey._replace(viewpoint=(1, 2)), {}, TypeError,
-             "cloud.viewpoint: has to be three numbers (x, y, z), not (1, 2)"),
-            ("b.pcd", survey._replace(orientation=(1, 2)), {}, TypeError,
-             "cloud.orientation: has to be four numbers (w, x, y, z), not (1, 2)"),
-            ("b.pcd", survey._replace(height=2.0), {}, TypeError,
-             "cloud.height: has to be a number of rows from 1, not 2.0"),
-            ("b.pcd", points, {"labels": labels, "keep_color": "no"}, TypeError,
-             "keep_color: has to be True or False, not 'no'"),
-            ("b.pcd", points, {"labels": np.ma.masked_equal(labels, 0)}, TypeError,
-             "labels: a masked array"),
-            ("b.pcd", np.zeros((5, 3), int), {}, TypeError, "points: dtype"),
-        ):
+        for name, cloud, arguments, error, part_of_message in wrong_writes(points, labels, survey):
             with self.subTest(part_of_message), \
                     self.assertRaisesRegex(error, re.escape(part_of_message)):
                 pcl_ops.write(self.folder / name, cloud, **arguments)

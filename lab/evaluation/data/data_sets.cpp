@@ -97,8 +97,8 @@ const struct SceneDataSet {
                        {"streets-hills", "street-hills", "lidar-64-level"},
                        {"streets-livox", "street", "livox"}};
 
-/** Returns \ref EvaluationCloud::thick_length of a scene [m]. It grows with the range
- * of the sensor, as noise and the unevenness of the ground do. */
+/** Returns \ref EvaluationCloud::thick_length of a scene [m], chosen by hand. It grows
+ * with the range of the sensor, as noise and the unevenness of the ground do. */
 double
 thickLengthOf (const SceneDataSet& scenes)
 {

@@ -87,50 +87,62 @@ planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
 
 namespace growing = CGAL::Shape_detection::Point_set;
 
-/** Returns the points of each region, as indices into points. */
-std::vector<std::vector<std::size_t>>
+/** The points of each region, as indices into all points. */
+using Regions = std::vector<std::vector<std::size_t>>;
+
+#if CGAL_VERSION_NR < 1050600000
+
+Regions
 regionsOf (const OrientedPoints& points, const PeerTask& task)
 {
-  const unsigned neighbors = neighborsFor (task);
-  const float threshold = float (task.values.threshold);
-  const std::size_t min_points = task.minPoints (min_points_of_region);
-  std::vector<std::vector<std::size_t>> regions;
-#if CGAL_VERSION_NR < 1050600000
   using Query = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
   using Region = growing::
       Least_squares_plane_fit_region<Kernel, OrientedPoints, PointMap, NormalMap>;
   using Sorting =
       growing::Least_squares_plane_fit_sorting<Kernel, OrientedPoints, Query, PointMap>;
-  Query query (points, neighbors);
-  Region region (points, threshold, max_normal_angle, min_points);
+  Query query (points, neighborsFor (task));
+  Region region (points,
+                 float (task.values.threshold),
+                 max_normal_angle,
+                 task.minPoints (min_points_of_region));
   Sorting sorting (points, query);
   sorting.sort();
   CGAL::Shape_detection::
       Region_growing<OrientedPoints, Query, Region, typename Sorting::Seed_map>
           region_growing (points, query, region, sorting.seed_map());
+  Regions regions;
   region_growing.detect (std::back_inserter (regions));
+  return regions;
+}
+
 #else
+
+Regions
+regionsOf (const OrientedPoints& points, const PeerTask& task)
+{
   CGAL::Point_set_3<Kernel::Point_3> set (true); // with normals
   for (const OrientedPoint& point : points)
     set.insert (std::get<0> (point), std::get<1> (point));
   auto query = growing::make_k_neighbor_query (
-      set, CGAL::parameters::k_neighbors (std::size_t{neighbors}));
+      set, CGAL::parameters::k_neighbors (std::size_t{neighborsFor (task)}));
   auto region = growing::make_least_squares_plane_fit_region (
       set,
-      CGAL::parameters::maximum_distance (threshold)
+      CGAL::parameters::maximum_distance (float (task.values.threshold))
           .maximum_angle (max_normal_angle)
-          .minimum_region_size (min_points));
+          .minimum_region_size (task.minPoints (min_points_of_region)));
   auto sorting = growing::make_least_squares_plane_fit_sorting (set, query);
   sorting.sort();
   using Growing =
       CGAL::Shape_detection::Region_growing<decltype (query), decltype (region)>;
   std::vector<Growing::Primitive_and_region> grown;
   Growing (set, sorting.ordered(), query, region).detect (std::back_inserter (grown));
+  Regions regions;
   for (const auto& [plane, members] : grown)
     regions.emplace_back (members.begin(), members.end());
-#endif
   return regions;
 }
+
+#endif
 
 } // namespace
 

@@ -81,7 +81,8 @@ protected:
   EvaluationSummary
   run ()
   {
-    return evaluate (plan, messages, false);
+    constexpr bool is_terminal = false;
+    return evaluate (plan, messages, is_terminal);
   }
 };
 

@@ -74,6 +74,7 @@ class Strips(unittest.TestCase):
             depth, colors = np.full(6, 2.0), np.array([red] * 6)
             depth[near], colors[near] = 1.0, blue
             image = figures.drawn(columns, rows, depth, colors, 50)
+            # The middle of 45 pixels; 5 of the 50 are room for squares.
             self.assertEqual(tuple(image[22, 22]), blue, f"{far} is behind")
 
 

@@ -105,7 +105,8 @@ TEST (Clouds, AreReproducibleSortedBySizeAndNoisyAsAsked)
 
 TEST (Clouds, OrganizedOnesKeepEveryPixelAndOnlyAddNan)
 {
-  const auto cloud = room.simulated (7, 1.0, true).cloud;
+  constexpr bool organized = true;
+  const auto cloud = room.simulated (7, 1.0, organized).cloud;
   EXPECT_EQ (cloud.width, 160u);
   EXPECT_EQ (cloud.height, 120u);
   EXPECT_FALSE (cloud.is_dense);

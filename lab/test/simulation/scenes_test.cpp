@@ -30,6 +30,36 @@ areInOnePlane (const Shape& a, const Shape& b)
          std::abs (a.normal().dot (b.center - a.center)) < slightest_offset;
 }
 
+/** A shape at the origin, and how the points that are drawn on it are spread. */
+struct PointSpread {
+  Shape::Kind kind;
+  double radius, height, share; // Shape::half_v, half_u and share
+  double (*measure) (const Vector3d&);
+  double lowest, limit, highest; // of what is measured
+  double share_below;            // share of points below the limit
+};
+
+void
+expectSpread (const PointSpread& spread)
+{
+  Shape shape{spread.kind, origin.translation(), Vector3d::UnitZ()};
+  shape.half_u = spread.height;
+  shape.half_v = spread.radius;
+  shape.share = spread.share;
+  Random random (7);
+  int below = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const SurfacePoint point = drawPoint (shape, random);
+    const double measured = spread.measure (point.position);
+    EXPECT_GE (measured, spread.lowest - 1e-9);
+    EXPECT_LE (measured, spread.highest + 1e-9);
+    below += measured < spread.limit;
+    const double outwards = point.normal.dot (point.position);
+    EXPECT_TRUE (spread.kind == Shape::Kind::Torus || outwards >= -1e-9) << outwards;
+  }
+  EXPECT_NEAR (below, 1e4 * spread.share_below, 200) << spread.limit;
+}
+
 /** Position and label of the points of all tiles. */
 std::set<std::array<double, 4>>
 allPoints (const Town& town)
@@ -200,13 +230,7 @@ TEST (SurfacePoints, AreDenseEvenlyInTheRangeOfTheirShape)
   const auto aroundOf = [] (const Vector3d& p) { // from +y
     return std::abs (std::atan2 (p.x(), p.y()));
   };
-  const struct {
-    Kind kind;
-    double radius, height, share; // Shape::half_v, half_u and share
-    double (*measure) (const Vector3d&);
-    double lowest, limit, highest; // of what is measured
-    double share_below;            // share of points below the limit
-  } rows[] = {
+  const PointSpread rows[] = {
       // The upper half of a cone, with its apex at zero, has a quarter of the area.
       {Kind::Cone, 0.5, 1.0, 1.0, heightOf, -1.0, -0.5, 0.0, 0.75},
       // Slices of a sphere with the same height have the same area (Archimedes).
@@ -216,22 +240,6 @@ TEST (SurfacePoints, AreDenseEvenlyInTheRangeOfTheirShape)
       {Kind::Torus, 0.5, 0.15, 1.0, radiusOf, 0.35, 0.5, 0.65, 0.5 - 0.3 / pi},
       // A quarter of a cylinder extends 45 degrees to either side of +y.
       {Kind::Cylinder, 0.1, 0.5, 0.25, aroundOf, 0, pi / 8, pi / 4, 0.5}};
-  for (const auto& row : rows) {
-    Shape shape{row.kind, origin.translation(), Vector3d::UnitZ()};
-    shape.half_u = row.height;
-    shape.half_v = row.radius;
-    shape.share = row.share;
-    Random random (7);
-    int below = 0;
-    for (int i = 0; i < 10000; ++i) {
-      const SurfacePoint point = drawPoint (shape, random);
-      const double measured = row.measure (point.position);
-      EXPECT_GE (measured, row.lowest - 1e-9);
-      EXPECT_LE (measured, row.highest + 1e-9);
-      below += measured < row.limit;
-      const double outwards = point.normal.dot (point.position);
-      EXPECT_TRUE (row.kind == Kind::Torus || outwards >= -1e-9) << outwards;
-    }
-    EXPECT_NEAR (below, 1e4 * row.share_below, 200) << row.limit;
-  }
+  for (const PointSpread& spread : rows)
+    expectSpread (spread);
 }

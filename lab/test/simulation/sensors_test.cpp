@@ -57,7 +57,8 @@ stepOf (const Poses& poses, std::size_t i)
 
 TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
 {
-  const CameraNoise noise{1.0, false, 1.0}; // fewer pixels err alike
+  CameraNoise noise;
+  noise.smoothing = 1.0; // fewer pixels err alike than by default
   for (const double depth : {1.0, 2.0, 4.0}) {
     const double sigma = std::sqrt (errorsOn (depth, noise).square().mean());
     const double expected = 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
@@ -77,7 +78,9 @@ TEST (DepthNoise, CorrelatedErrorsAreThoseOfAGaussianFilter)
 
 TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 {
-  const Field errors = errorsOn (3.0, {1.0, true});
+  CameraNoise noise;
+  noise.is_raw = true;
+  const Field errors = errorsOn (3.0, noise);
   EXPECT_NEAR (correlation (errors, 1), 0.0, 0.05);
   // Disparities: focal length [px] times baseline [m] over depth.
   const Field eighths = 8.0 * 525.0 * 0.075 / (3.0 + errors);
@@ -144,7 +147,8 @@ TEST (Lidar, ReadsNothingBeyondItsRangeInRowsOfABeam)
 {
   Lidar lidar = lidarOf ("lidar-16");
   lidar.farthest = 4.2;
-  const auto cloud = toSurfaceCloud (scanInABox (lidar), origin, true);
+  constexpr bool organized = true;
+  const auto cloud = toSurfaceCloud (scanInABox (lidar), origin, organized);
   ASSERT_EQ (cloud.width, std::uint32_t (lidar.steps));
   std::size_t readings = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -162,7 +166,7 @@ TEST (Lidar, ReadsNothingBeyondItsRangeInRowsOfABeam)
 
 TEST (Walk, StaysInTheRoomAndSeesSurfacesAllTheWay)
 {
-  for (std::uint32_t seed = 16; seed <= 25; ++seed) {
+  for (std::uint32_t seed = 16; seed <= 25; ++seed) { // any ten seeds
     const Site room = makeRoom (seed);
     const Poses walk = drawWalk (room, 12, seed);
     ASSERT_EQ (walk.size(), 12u);
@@ -184,7 +188,7 @@ TEST (Walk, GoesInSmallStepsAndLooksMostWaysInTheEnd)
     EXPECT_LT (degreesBetween (poses[i], poses[i - 1]), 15.0);
     turned += degreesBetween (poses[i], poses[i - 1]);
   }
-  EXPECT_GT (turned, 250.0);
+  EXPECT_GT (turned, 250.0); // the path is 270 degrees of a turn
 }
 
 TEST (Drive, GoesInSmallStepsAboveTheRoad)
@@ -193,7 +197,7 @@ TEST (Drive, GoesInSmallStepsAboveTheRoad)
   const Poses poses = drawDrive (street, 20, 1);
   ASSERT_EQ (poses.size(), 20u);
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    EXPECT_NEAR (poses[i].translation().z(), 1.8, 0.11);
+    EXPECT_NEAR (poses[i].translation().z(), 1.8, 0.11); // 1.7 to 1.9 m
     EXPECT_LT (poses[i].translation().head<2>().norm(), 0.25 * street.size.x() + 1.0);
     EXPECT_LT (i > 0 ? stepOf (poses, i) : 0.0, 1.1);
   }
