@@ -57,7 +57,7 @@ std::vector<Rectangle>
 terraceAt (Seed seed, const Cell& cell)
 {
   Random random = randomAt (seed, cell, for_terrace);
-  const auto houses = int (random.between (7, 11));
+  const auto houses = int (random.between (7, 11)); // 7 to 10
   const double length = houses * width_of_house;
   const double depth = random.between (9, 12);
   const double eaves = random.between (5, 8);

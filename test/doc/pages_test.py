@@ -283,9 +283,10 @@ class Pages(unittest.TestCase):
 
     def test_links_lead_to_files_and_sections(self):
         for page in PAGES:
-            for name, section in re.findall(r"\]\(([^)#:]+)(?:#([^)]+))?\)",
+            # A link to a section of the page itself has no name.
+            for name, section in re.findall(r"\]\(([^)#:]*)(?:#([^)]+))?\)",
                                             page.read_text()):
-                target = page.parent / name
+                target = page.parent / name if name else page
                 self.assertTrue(target.exists(), f"{page.name} links to {name}")
                 self.assertTrue(not section or section in sections_of(target),
                                 f"{page.name} links to {name}#{section}")
