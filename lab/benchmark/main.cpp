@@ -193,8 +193,8 @@ printMethodAndMemory (const Json& report)
   std::cout
       << "- Machine: " << machine["cpu"].get<std::string>() << ", " << machine["cores"]
       << " cores; " << compilerAndFlags() << "; PCL " PCL_VERSION_PRETTY ".\n"
-      << R"(- Times are of everything from a loaded cloud to a label for every point, the search
-  structure's construction included: the shortest of )"
+      << "- Times are of everything from a loaded cloud to a label for every "
+         "point, the search\n  structure's construction included: the shortest of "
       << report["runs"] << " runs";
   if (report["peer_runs"] > 0)
     std::cout << " (of others' detectors " << report["peer_runs"] << ')';

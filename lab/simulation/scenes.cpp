@@ -149,8 +149,8 @@ constexpr struct {
                                 {"room-kinect", simulateInCameraFrame}};
 
 /** Draws a rotation and a shift, both with a normal distribution.
- * \param[in] size root mean square of the rotation angle [degree] and of the length of the
- * shift [cm] */
+ * \param[in] size root mean square of the rotation angle [degree] and of the length of
+ * the shift [cm] */
 Isometry3d
 drawPoseError (Random& random, double size)
 {

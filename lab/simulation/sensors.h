@@ -142,8 +142,8 @@ using CastRay = std::function<Hit (const Vector3d& ray)>;
 /** Simulates a scan; rays without a hit in range have NaN points.
  * \param[in] noise factor on \ref lidar_sigma
  * \param[in] seed of the noise
- * \param[in] scan_number from 0 on: the rosette of a scan continues where that of the scan
- * before ended */
+ * \param[in] scan_number from 0 on: the rosette of a scan continues where that of the
+ * scan before ended */
 Scan
 scanAround (const CastRay& cast,
             const Lidar& lidar,

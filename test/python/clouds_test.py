@@ -19,7 +19,8 @@ from scene import las, room
 
 # Namespaces with the classes of messages: objects that have the same members as those of ROS, and
 # ROS itself where it is installed.
-message_modules = [types.SimpleNamespace(PointCloud2=types.SimpleNamespace, PointField=types.SimpleNamespace)]
+message_modules = [types.SimpleNamespace(PointCloud2=types.SimpleNamespace,
+                                         PointField=types.SimpleNamespace)]
 try:
     import sensor_msgs.msg
     message_modules.append(sensor_msgs.msg)

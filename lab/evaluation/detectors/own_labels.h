@@ -14,8 +14,8 @@ namespace pcl_ops::evaluation {
  * negative labels, these are no plane and 0 is a plane. Durations are NaN. The run
  * throws apps::WorkError if the file is missing or not valid.
  * \param[in] name_and_folder "NAME=FOLDER"
- * \throw apps::UsageError if the name is taken or not valid in tables and names of files,
- * apps::WorkError if the folder is no folder */
+ * \throw apps::UsageError if the name is taken or not valid in tables and names of
+ * files, apps::WorkError if the folder is no folder */
 Configuration
 ownLabels (const std::string& name_and_folder);
 
