@@ -205,7 +205,7 @@ class Planes(unittest.TestCase):
         for name in buildings.__all__:
             self.assertTrue(getattr(buildings, name).__doc__, name)
 
-    def test_of_two_rooms_make_these_by_falling_area(self):
+    def test_of_two_rooms_make_both_by_falling_area(self):
         def room_at(x, width):
             """Points of the floor, the ceiling and the four walls."""
             return [*(surface((x, 0, z), (width, 0, 0), (0, 3, 0), 9000) for z in (0, 2.5)),

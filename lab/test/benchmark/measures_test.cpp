@@ -150,7 +150,7 @@ processorTimeOf (const Configuration& detector, const Cloud::Ptr& cloud)
 
 // No cloud costs a detector more than 20 times the time or 10 times the memory of a
 // simulated room of as many points.
-TEST (WorstCases, KeepTheBounds)
+TEST (WorstCases, TakeBoundedMultiplesOfTheTimeAndMemoryOfARoom)
 {
   constexpr double time_bound = 20.0;
   constexpr double memory_bound = 10.0;

@@ -198,7 +198,7 @@ TEST_F (EvaluationRunTest, APeerThatTakesTooLongIsStoppedAndNotTriedAgain)
   EXPECT_EQ (run().stopped_runs, 0u);
 }
 
-TEST_F (EvaluationRunTest, ADetectorThatFailsAndAPeerThatCrashesAreSaidAndCounted)
+TEST_F (EvaluationRunTest, ADetectorThatFailsAndAPeerThatCrashesAreReportedAndCounted)
 {
   const auto crash = [] (const auto&, const auto&) -> DetectorRun { std::abort(); };
   const auto fail = [] (const auto&, const auto&) -> DetectorRun {

@@ -351,7 +351,7 @@ TEST_F (Report, HasTheTablesOfThePaperAndTheirFigures)
   EXPECT_FALSE (contains (report_.out, "Table II,")) << "no detector of it was run";
 }
 
-TEST_F (Report, HasPlanesByTheirSize)
+TEST_F (Report, CountsTruePlanesByTheirWidth)
 {
   EXPECT_TRUE (contains (report_.out, "below 0.03"));
 }

@@ -135,7 +135,7 @@ TEST_F (OwnLabelsTest, OfAnImageMayBeThoseOfAllItsPixels)
   EXPECT_EQ (labels(), (PlaneLabels{1, 3, 3}));
 }
 
-TEST_F (OwnLabelsTest, ThatAreMissingAreSaidWithBothPlaces)
+TEST_F (OwnLabelsTest, ThatAreMissingAreReportedWithBothPlaces)
 {
   EXPECT_EQ (complaintOf ([&] { run(); }),
              folder.path() +
@@ -143,7 +143,7 @@ TEST_F (OwnLabelsTest, ThatAreMissingAreSaidWithBothPlaces)
                  "or .pcd; save the labels");
 }
 
-TEST_F (OwnLabelsTest, OfAnotherNumberOfPointsAreSaidWithBothNumbers)
+TEST_F (OwnLabelsTest, OfAnotherNumberOfPointsAreRefusedWithBothNumbers)
 {
   EXPECT_EQ (complaintAbout ("room-0001.txt", "1\n1\n"),
              "has 2 labels, the cloud 3 finite points; give one for each, in the order "

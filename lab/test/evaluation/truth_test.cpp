@@ -94,7 +94,7 @@ TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
   EXPECT_GT (metrics.at ("segmentation_accuracy"), 0.9);
 }
 
-TEST (Truth, IsTheExactOneButForSmallPlanesOrGrown)
+TEST (Truth, IsExactWithoutSmallPlanesElseGrown)
 {
   const TruthParameters parameters{9};
   EvaluationCloud cloud;
@@ -138,7 +138,7 @@ TEST (SimulatedDataSet, SaysWhichPointsOfHillsAreUnknownAndAsksForSmallRoofs)
   EXPECT_GT (small_roofs, 0);
 }
 
-TEST (SimulatedDataSet, IsLevelByTheUpAxisAlsoInACamerasFrame)
+TEST (SimulatedDataSet, HasItsUpAxisAlsoInACamerasFrame)
 {
   const EvaluationCloud image = dataSetOf ("rooms-kinect:1").at (0).load();
   ASSERT_TRUE (image.image);

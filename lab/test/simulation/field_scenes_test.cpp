@@ -148,7 +148,7 @@ TEST (HillyStreet, ReadingsAreOnTheGroundOrAWallOrInABush)
     EXPECT_GT (readings, 1000u);
 }
 
-TEST (Lidar, BeamsOfTheLevelOneAreDenseThere)
+TEST (Lidar, BeamsOfLidar64LevelAreDenseNearTheHorizontal)
 {
   const Lidar lidar = lidarOf ("lidar-64-level");
   constexpr struct {

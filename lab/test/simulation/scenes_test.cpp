@@ -222,7 +222,7 @@ TEST (Street, WindowsOfAHouseAreOnePlaneBehindTheFacade)
   EXPECT_GT (houses, 10);
 }
 
-TEST (SurfacePoints, AreDenseEvenlyInTheRangeOfTheirShape)
+TEST (SurfacePoints, AreEvenlyDenseWithinTheirShape)
 {
   using Kind = Shape::Kind;
   const auto heightOf = [] (const Vector3d& p) { return p.z(); };

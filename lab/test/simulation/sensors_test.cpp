@@ -179,7 +179,7 @@ TEST (Walk, StaysInTheRoomAndSeesSurfacesAllTheWay)
   }
 }
 
-TEST (Walk, GoesInSmallStepsAndLooksMostWaysInTheEnd)
+TEST (Walk, GoesInSmallStepsAndTurnsByThreeQuartersOfATurn)
 {
   const Poses poses = drawWalk (makeRoom (2), 50, 2);
   double turned = 0.0;
