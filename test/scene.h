@@ -28,15 +28,19 @@ using pcl_ops::internal::RandomGenerator;
 /** \brief For calls whose result does not depend on the number of threads. */
 constexpr unsigned one_thread = 1;
 
-// Literals of lengths in meters, of shares, and of angles in radians.
+// The types that C++ gives numbers before a suffix: with a decimal point, and without.
+using DecimalLiteral = long double;
+using WholeLiteral = unsigned long long;
+
+// Lengths become meters, angles radians, per cent a share.
 // clang-format off
-constexpr double operator"" _m (long double meters) { return static_cast<double> (meters); }
-constexpr double operator"" _m (unsigned long long meters) { return static_cast<double> (meters); }
-constexpr double operator"" _cm (unsigned long long centimeters) { return 1e-2 * static_cast<double> (centimeters); }
-constexpr double operator"" _mm (unsigned long long millimeters) { return 1e-3 * static_cast<double> (millimeters); }
-constexpr double operator"" _percent (unsigned long long percent) { return 1e-2 * static_cast<double> (percent); }
-constexpr double operator"" _deg (long double degrees) { return static_cast<double> (degrees) * pi / 180.0; }
-constexpr double operator"" _deg (unsigned long long degrees) { return static_cast<double> (degrees) * pi / 180.0; }
+constexpr double operator"" _m (DecimalLiteral x) { return double (x); }
+constexpr double operator"" _m (WholeLiteral x) { return double (x); }
+constexpr double operator"" _cm (WholeLiteral x) { return 1e-2 * double (x); }
+constexpr double operator"" _mm (WholeLiteral x) { return 1e-3 * double (x); }
+constexpr double operator"" _percent (WholeLiteral x) { return 1e-2 * double (x); }
+constexpr double operator"" _deg (DecimalLiteral x) { return double (x) * pi / 180.0; }
+constexpr double operator"" _deg (WholeLiteral x) { return double (x) * pi / 180.0; }
 // clang-format on
 
 /** \brief theta_h in tests of the paper's methods: the farthest that a point of a plane

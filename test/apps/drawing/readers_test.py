@@ -95,7 +95,7 @@ def properties_of(features, layer):
     return [feature["properties"] for feature in features if feature["properties"]["layer"] == layer]
 
 
-class Readers(unittest.TestCase):
+class SimulatedRoom(unittest.TestCase):
     """Outputs for one simulated room."""
 
     @classmethod
@@ -116,7 +116,10 @@ class Readers(unittest.TestCase):
         cls.temporary.cleanup()
 
     def features(self, name):
-        return json.loads((self.folder / name).read_text())["features"]
+        """The features of a GeoJSON file; fails if there are none."""
+        features = json.loads((self.folder / name).read_text())["features"]
+        self.assertTrue(features, name)
+        return features
 
     def properties_in_plan(self, layer):
         return properties_of(self.features("plan.geojson"), layer)
@@ -126,6 +129,7 @@ class Readers(unittest.TestCase):
         self.assertAlmostEqual(room["area"], 35.79, delta=0.02 * 35.79)
         self.assertAlmostEqual(room["height"], 2.856, delta=0.01)
         lengths = sorted(wall["length"] for wall in self.properties_in_plan("WALL"))
+        self.assertGreaterEqual(len(lengths), 4)
         for length, simulated in zip(lengths[-4:], (5.779, 5.779, 6.194, 6.194)):
             self.assertAlmostEqual(length, simulated, delta=0.01 * simulated)
         widths = sorted(opening["length"] for opening in self.properties_in_plan("OPENING"))
@@ -148,9 +152,8 @@ class Readers(unittest.TestCase):
         self.assertEqual(drawn["OPENING"], len(self.properties_in_plan("OPENING")))
         self.assertEqual(drawn["ROOM"], 1)
 
-
     @unittest.skipUnless(ezdxf, "ezdxf is not installed")
-    def test_texts_of_a_dxf_say_area_and_height(self):
+    def test_texts_of_a_dxf_plan_say_area_and_height_of_the_room(self):
         # ezdxf does not decode the code of DXF for a superscript two.
         plan = ezdxf.readfile(self.folder / "plan.dxf")
         texts = [entity.dxf.text.replace(r"\U+00B2", "\u00b2")
@@ -166,10 +169,9 @@ class Readers(unittest.TestCase):
                 self.assertTrue(shape.is_valid, (name, shapely.validation.explain_validity(shape)))
 
     def test_a_vertical_plane_on_a_map_is_a_line(self):
-        for feature in self.features("map.geojson"):
-            is_vertical = feature["properties"]["orientation"] == "vertical"
-            self.assertEqual(feature["geometry"]["type"],
-                             "MultiLineString" if is_vertical else "Polygon")
+        types = {(feature["properties"]["orientation"] == "vertical", feature["geometry"]["type"])
+                 for feature in self.features("map.geojson")}
+        self.assertEqual(types, {(True, "MultiLineString"), (False, "Polygon")})
 
     @needs("ogrinfo")
     def test_gdal_finds_features_in_plans_edges_and_maps(self):
@@ -182,8 +184,8 @@ class Readers(unittest.TestCase):
                   "--planes", "pieces.geojson")
         for name in ("plan.geojson", "edges.geojson", "map.geojson", "pieces.geojson"):
             for feature in self.features(name):
-                # Shapefiles cut names to 10 characters. Only "orientation", the name in lists of
-                # planes, is longer; no other name may be equal to what is left of it.
+                # Shapefiles cut names to 10 characters. Of "orientation", the only longer name,
+                # "orientatio" is left.
                 names = [name for name in feature["properties"] if name != "orientation"]
                 self.assertLessEqual(max(map(len, names)), 10)
                 self.assertNotIn("orientatio", names)
@@ -198,7 +200,7 @@ class Readers(unittest.TestCase):
             self.assertIn("ETRS89 / UTM zone 32N", summary)
             output_of(self.folder, "ogr2ogr", "converted.geojson", name + ".gpkg", layer)
             converted = self.features("converted.geojson")
-            (self.folder / "converted.geojson").unlink()
+            (self.folder / "converted.geojson").unlink()  # ogr2ogr replaces no GeoJSON
             expected = self.features(name + ".geojson")
             self.assertEqual(len(converted), len(expected))
             for pair in zip(converted, expected):

@@ -10,9 +10,6 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-constexpr std::uint16_t geo_keys_id = 34735;
-constexpr const char* projection = "LASF_Projection";
-
 /** \brief The coordinate reference system that crsOf tells of a LAS with these variable
  * length records; empty if it tells none. */
 std::string
@@ -27,31 +24,16 @@ crsOfRecords (const std::vector<std::string>& vlrs)
 
 constexpr std::uint16_t user_defined = 32767; // a system without a number
 
-/** \brief A record with a GeoKeyDirectoryTag.
- * \param[in] keys each key and its value */
-std::string
-geoKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
-{
-  std::string bytes;
-  const auto add = [&] (std::initializer_list<std::uint16_t> entry) {
-    for (const std::uint16_t number : entry)
-      bytes += bytesOf (LasHeader::UInt16 (number));
-  };
-  add ({1, 1, 0, static_cast<std::uint16_t> (keys.size())});
-  for (const auto& [key, value] : keys)
-    add ({key, 0, 1, value});
-  return lasVlr (projection, geo_keys_id, bytes);
-}
-
 } // namespace
 
 TEST (LasCrs, IsTheNumberOfAProjectedOrAGeographicSystemInTheKeys)
 {
-  EXPECT_EQ (
-      crsOfRecords ({geoKeys (
-          {{model_type, 1}, {geographic_system, 4258}, {projected_system, 25832}})}),
-      "EPSG:25832");
-  EXPECT_EQ (crsOfRecords ({geoKeys ({{model_type, 2}, {geographic_system, 4326}})}),
+  EXPECT_EQ (crsOfRecords ({geoKeys ({{model_type, projected_model},
+                                      {geographic_system, 4258},
+                                      {projected_system, 25832}})}),
+             "EPSG:25832");
+  EXPECT_EQ (crsOfRecords ({geoKeys (
+                 {{model_type, geographic_model}, {geographic_system, 4326}})}),
              "EPSG:4326");
 }
 
@@ -61,15 +43,16 @@ TEST (LasCrs, IsEmptyWhereTheSystemHasNoNumberOrIsMissing)
                  {{projected_system, user_defined}, {geographic_system, 4152}})}),
              "");
   EXPECT_EQ (crsOfRecords ({}), "");
-  EXPECT_EQ (crsOfRecords ({lasVlr (projection, geo_keys_id, "short")}), "");
+  EXPECT_EQ (crsOfRecords ({lasVlr (projection_user, geo_keys_id, "short")}), "");
 }
 
-TEST (LasCrs, IsTheLastNumberOfATextWithZeroBytesBehindIt)
+TEST (LasCrs, IsTheLastNumberOfATextAndZeroBytesBehindTheTextDoNotMatter)
 {
   const std::string text = R"(PROJCS["UTM 32",GEOGCS["WGS",AUTHORITY["EPSG","4258"]],)"
                            R"(UNIT["metre",1],AUTHORITY["EPSG","25832"]])";
-  EXPECT_EQ (crsOfRecords ({lasVlr (projection, wkt_id, text + std::string (3, '\0'))}),
-             "EPSG:25832");
+  EXPECT_EQ (
+      crsOfRecords ({lasVlr (projection_user, wkt_id, text + std::string (3, '\0'))}),
+      "EPSG:25832");
 }
 
 TEST (LasCrs, InTextIsTheSystemOfXAndYNotOfHeights)

@@ -19,8 +19,8 @@ protected:
   std::string
   labeled (const std::string& las, const std::vector<std::uint32_t>& labels) const
   {
-    saveLabeledLas (folder_ / "labelled.las", *load ("a.las", las).las, labels);
-    return contentOf (folder_ / "labelled.las");
+    saveLabeledLas (folder_ / "labeled.las", *load ("a.las", las).las, labels);
+    return contentOf (folder_ / "labeled.las");
   }
 };
 
@@ -40,8 +40,10 @@ invalid (const std::string& reason)
 
 } // namespace
 
-TEST_F (LasFileTest, HasTheCoordinatesOfEveryPointFormat)
+TEST_F (LasFileTest, HasTheCoordinatesAndTheIntensityOfEveryPointFormat)
 {
+  // The intensity is in bytes 12 and 13 of a record: 12 + 256 * 13 = 3340, and with 16
+  // more in each byte of the second record 7452 (lasRecord).
   for (std::uint8_t minor = 0; minor <= 4; ++minor)
     for (std::uint8_t format = 0; format <= 10; ++format)
       EXPECT_EQ (textOf (load ("a.las", lasBytes ({minor, format}))),
@@ -50,32 +52,37 @@ TEST_F (LasFileTest, HasTheCoordinatesOfEveryPointFormat)
           << int (minor) << ", format " << int (format);
 }
 
-TEST_F (LasFileTest, KeepsEveryIntegerOfMorePointsThanABlockHas)
+TEST_F (LasFileTest, KeepsEveryRawCoordinateOfMorePointsThanABlockHas)
 {
   LasRecipe recipe;
-  constexpr std::int32_t size = 40000;
-  constexpr std::int32_t step = 100003;
+  constexpr std::int32_t size = 40000;  // a block has 16384
+  constexpr std::int32_t step = 100003; // x goes through nearly all of 32 bits
   recipe.points.clear();
   for (std::int32_t i = -size / 2; i < size / 2; ++i)
     recipe.points.push_back ({step * i, 7 * i, -i});
   const FileCloud cloud = load ("a.las", lasBytes (recipe));
   ASSERT_EQ (cloud.size(), static_cast<std::size_t> (size));
-  const std::vector<double> x = valuesOf (cloud, "x");
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    ASSERT_EQ (std::lround ((x[i] - 500000) / 0.001), recipe.points[i][0]);
+  const std::array names = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < names.size(); ++axis) {
+    const std::vector<double> values = valuesOf (cloud, names[axis]);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      ASSERT_EQ (std::lround ((values[i] - recipe.offset[axis]) / recipe.scale),
+                 recipe.points[i][axis])
+          << names[axis];
+  }
 }
 
 TEST_F (LasFileTest, TellsThePositionOfAnyPointInAnyOrder)
 {
   LasRecipe recipe;
   recipe.points.clear();
-  constexpr std::int32_t size = 10000;
+  constexpr std::int32_t size = 10000; // at most 4096 are read at once
   for (std::int32_t i = 0; i < size; ++i)
     recipe.points.push_back ({i, 0, 0});
   const std::shared_ptr<LasFile> las = load ("a.las", lasBytes (recipe)).las;
   const auto expectPosition = [&las] (std::uint64_t point) {
-    ASSERT_EQ (std::lround ((las->position (point).x() - 500000) / 0.001),
-               static_cast<long> (point));
+    const double from_offset = las->position (point).x() - 500000;
+    ASSERT_EQ (std::lround (from_offset / 0.001), static_cast<long> (point));
   };
   for (std::uint64_t i = 0; i < size; ++i)
     expectPosition (i);
@@ -88,7 +95,7 @@ TEST_F (LasFileTest, IsLabeledWithEveryOtherByteKept)
   constexpr std::uint32_t added = vlr_header_length + extra_bytes_field_length;
   for (std::uint8_t minor = 0; minor <= 4; ++minor) {
     SCOPED_TRACE (int (minor));
-    LasRecipe recipe{minor, 3};
+    LasRecipe recipe{minor, 3}; // records of 34 bytes
     recipe.vlrs = {lasVlr ("someone", 7, "content"),
                    lasVlr ("LASF_Projection", 1, "p")};
     recipe.gap = "between";
@@ -133,8 +140,8 @@ TEST_F (LasFileTest, OfVersion10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
 TEST_F (LasFileTest, OfVersion10BeginsWithAPointWhoseBytesAreThatMark)
 {
   LasRecipe recipe{0, 1};
-  recipe.points[0][0] = 0xccdd;
-  EXPECT_EQ (valuesOf (load ("a.las", lasBytes (recipe)), "x")[0], 500052.445);
+  recipe.points[0][0] = 0xccdd; // 52445
+  EXPECT_EQ (valuesOf (load ("a.las", lasBytes (recipe)), "x").at (0), 500052.445);
 }
 
 TEST_F (LasFileTest, MovesTheWaveformsBehindThePoints)
@@ -148,21 +155,27 @@ TEST_F (LasFileTest, MovesTheWaveformsBehindThePoints)
 TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
 {
   LasRecipe recipe;
+  // Two of the five bytes of each point are described; three others follow.
   recipe.extra = {"ab123", "cd456"};
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", las_uint16)),
                  lasVlr ("someone", 7, "content")};
   std::string after = labeled (lasBytes (recipe), {5, 6});
   constexpr std::size_t vlr = 375; // its offset, behind the header of LAS 1.4
+  constexpr std::size_t length_in_vlr = 2 + 16 + 2;
   constexpr std::size_t fields = vlr + vlr_header_length;
   constexpr std::size_t field = extra_bytes_field_length;
+  constexpr std::size_t name_in_field = 4;
   EXPECT_EQ (headerIn (after).vlr_count, 2u);
-  ASSERT_EQ (reinterpret_cast<LasHeader::UInt16&> (after[vlr + 20]), 5 * field);
-  EXPECT_EQ (after.substr (fields, field), extraBytesField ("range", 3));
+  ASSERT_EQ (reinterpret_cast<LasHeader::UInt16&> (after[vlr + length_in_vlr]),
+             5 * field)
+      << "range, three single bytes, and label";
+  EXPECT_EQ (after.substr (fields, field), extraBytesField ("range", las_uint16));
   for (std::size_t i = 1; i <= 3; ++i)
-    EXPECT_EQ (after.substr (fields + i * field, field), extraBytesField ("", 0, 1))
+    EXPECT_EQ (after.substr (fields + i * field, field),
+               extraBytesField ("", las_undocumented, 1))
         << "one for each byte without a description: CloudCompare counts a longer one "
            "as a single byte";
-  EXPECT_STREQ (&after[fields + 4 * field + 4], "label");
+  EXPECT_STREQ (&after[fields + 4 * field + name_in_field], "label");
   EXPECT_EQ (after.substr (fields + 5 * field, recipe.vlrs[1].size()), recipe.vlrs[1]);
   EXPECT_EQ (after.substr (headerIn (after).points_offset),
              recordsWithLabels (recipe, 5, 6));
@@ -200,19 +213,19 @@ TEST_F (LasFileTest, RefusesExtraBytesThatDoNotAddUp)
 {
   const auto complaint = [&] (const std::string& descriptions) {
     LasRecipe recipe;
-    recipe.extra = {"1234", "5678"};
+    recipe.extra = {"1234", "5678"}; // four bytes for each point
     recipe.vlrs = {lasVlr ("LASF_Spec", 4, descriptions)};
     return complaintAbout ("a.las", lasBytes (recipe));
   };
-  EXPECT_EQ (complaint (extraBytesField ("a", 9)), "");
-  EXPECT_EQ (complaint (extraBytesField ("a", 0, 4)), "");
-  EXPECT_EQ (complaint (extraBytesField ("a", 13)), "") << "a pair of 16 bits";
+  EXPECT_EQ (complaint (extraBytesField ("a", las_float)), "");
+  EXPECT_EQ (complaint (extraBytesField ("a", las_undocumented, 4)), "");
+  EXPECT_EQ (complaint (extraBytesField ("a", las_pair_of_uint16)), "");
   EXPECT_EQ (
-      complaint (extraBytesField ("a", 10)),
+      complaint (extraBytesField ("a", las_double)),
       invalid ("its Extra Bytes VLR describes more bytes than its records have"));
   EXPECT_EQ (complaint (extraBytesField ("a", 31)),
              invalid ("its Extra Bytes VLR has an unknown type, 31"));
-  EXPECT_EQ (complaint (extraBytesField ("a", 9) + "b"),
+  EXPECT_EQ (complaint (extraBytesField ("a", las_float) + "b"),
              invalid ("its Extra Bytes VLR ends within a description"));
   LasRecipe twice;
   twice.vlrs.assign (2, lasVlr ("LASF_Spec", 4, ""));
@@ -228,8 +241,8 @@ TEST_F (LasFileTest, CannotAddToExtraBytesThatAreDescribedBehindItsPoints)
 {
   LasRecipe recipe;
   recipe.extra = {"12", "34"};
-  recipe.evlrs = {
-      lasVlr<LasHeader::UInt64> ("LASF_Spec", 4, extraBytesField ("range", 3))};
+  recipe.evlrs = {lasVlr<LasHeader::UInt64> (
+      "LASF_Spec", 4, extraBytesField ("range", las_uint16))};
   const FileCloud cloud = load ("a.las", lasBytes (recipe));
   EXPECT_EQ (cloud.size(), recipe.points.size());
   EXPECT_EQ (
@@ -284,8 +297,8 @@ TEST_F (LasFileTest, SaysHowToDecompressLaz)
   recipe.vlrs = {lasVlr ("laszip encoded", 22204, "content")};
   EXPECT_EQ (complaintAbout ("a.las", lasBytes (recipe)), fix);
   std::string las = lasBytes ({});
-  for (const std::uint8_t compressed : {0x86, 0x46}) {
-    headerIn (las).format_bits = compressed;
+  for (const std::uint8_t mark_of_compression : {0x80, 0x40}) {
+    headerIn (las).format_bits = mark_of_compression | 6; // the point format
     EXPECT_EQ (complaintAbout ("a.las", las), fix);
   }
 }

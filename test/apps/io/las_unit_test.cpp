@@ -12,66 +12,35 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-// Keys of GeoTIFF; las_bytes.h has those that other tests need, too.
-constexpr std::uint16_t linear_unit_key = 3076, vertical_unit_key = 4099;
-// Values of model_type, then of keys of units.
-constexpr std::uint16_t model_projected = 1, model_geographic = 2;
-constexpr std::uint16_t meter = 9001, foot = 9002, us_foot = 9003;
-
 class LasUnitTest : public CloudFolder {
 protected:
-  /** \brief A LAS with one variable length record.
-   * \param[in] record its id */
+  /** \brief A LAS with one variable length record. */
   LasFile
-  fileWith (std::uint16_t record, const std::string& content) const
+  fileWith (const std::string& record) const
   {
     LasRecipe recipe;
-    recipe.vlrs.push_back (lasVlr ("LASF_Projection", record, content));
+    recipe.vlrs = {record};
     return LasFile (folder_.write ("a.las", lasBytes (recipe)));
-  }
-
-  /** \brief A LAS with a GeoKeyDirectoryTag of these numbers. */
-  LasFile
-  fileWithNumbers (const std::vector<std::uint16_t>& numbers) const
-  {
-    constexpr std::uint16_t keys_of_geotiff = 34735;
-    std::string bytes;
-    for (const std::uint16_t number : numbers)
-      bytes += bytesOf (LasHeader::UInt16 (number));
-    return fileWith (keys_of_geotiff, bytes);
-  }
-
-  /** \brief A LAS with these GeoTIFF keys. The GeoKeyDirectoryTag has a header of four
-   * numbers, and then for each key its id, 0, 1 and its value.
-   * \param[in] keys each key and its value */
-  LasFile
-  fileWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys) const
-  {
-    std::vector<std::uint16_t> numbers = {
-        1, 1, 0, static_cast<std::uint16_t> (keys.size())};
-    for (const auto& [key, value] : keys)
-      numbers.insert (numbers.end(), {key, 0, 1, value});
-    return fileWithNumbers (numbers);
   }
 
   LasUnit
   unitWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys) const
   {
-    LasFile las = fileWithKeys (keys);
+    LasFile las = fileWith (geoKeys (keys));
     return unitOf (las);
   }
 
   LasUnit
   heightUnitWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys) const
   {
-    LasFile las = fileWithKeys (keys);
+    LasFile las = fileWith (geoKeys (keys));
     return heightUnitOf (las);
   }
 
   LasUnit
   unitWithText (const std::string& text) const
   {
-    LasFile las = fileWith (wkt_id, text);
+    LasFile las = fileWith (lasVlr (projection_user, wkt_id, text));
     return unitOf (las);
   }
 };
@@ -134,11 +103,12 @@ TEST_F (LasUnitTest, OfHeightsIsTheUnitOfTheVerticalSystem)
 TEST_F (LasUnitTest, OfHeightsIsReadFromTheKeysOfAFile)
 {
   EXPECT_EQ (
-      heightUnitWithKeys ({{linear_unit_key, meter}, {vertical_unit_key, us_foot}}),
+      heightUnitWithKeys ({{linear_unit, unit_meter}, {vertical_unit, unit_us_foot}}),
       LasUnit::Foot);
-  EXPECT_EQ (heightUnitWithKeys ({{linear_unit_key, foot}, {vertical_unit_key, meter}}),
-             LasUnit::Meter);
-  EXPECT_EQ (heightUnitWithKeys ({{linear_unit_key, foot}}), LasUnit::Unknown);
+  EXPECT_EQ (
+      heightUnitWithKeys ({{linear_unit, unit_foot}, {vertical_unit, unit_meter}}),
+      LasUnit::Meter);
+  EXPECT_EQ (heightUnitWithKeys ({{linear_unit, unit_foot}}), LasUnit::Unknown);
 }
 
 TEST_F (LasUnitTest, IsReadFromTheTextOfAFile)
@@ -150,24 +120,24 @@ TEST_F (LasUnitTest, IsReadFromTheTextOfAFile)
 
 TEST_F (LasUnitTest, IsReadFromTheKeysOfAFile)
 {
-  const auto unitOfProjected = [&] (std::uint16_t linear_unit) {
-    return unitWithKeys (
-        {{model_type, model_projected}, {linear_unit_key, linear_unit}});
+  const auto unitOfProjected = [&] (std::uint16_t unit) {
+    return unitWithKeys ({{model_type, projected_model}, {linear_unit, unit}});
   };
-  EXPECT_EQ (unitOfProjected (meter), LasUnit::Meter);
-  EXPECT_EQ (unitOfProjected (foot), LasUnit::Foot);
-  EXPECT_EQ (unitOfProjected (us_foot), LasUnit::Foot);
-  EXPECT_EQ (unitWithKeys ({{model_type, model_geographic}}), LasUnit::Degree);
-  LasFile cut_short = fileWithNumbers ({1, 1});
+  EXPECT_EQ (unitOfProjected (unit_meter), LasUnit::Meter);
+  EXPECT_EQ (unitOfProjected (unit_foot), LasUnit::Foot);
+  EXPECT_EQ (unitOfProjected (unit_us_foot), LasUnit::Foot);
+  EXPECT_EQ (unitWithKeys ({{model_type, geographic_model}}), LasUnit::Degree);
+  LasFile cut_short =
+      fileWith (lasVlr (projection_user, geo_keys_id, std::string ("\1\0\1\0", 4)));
   EXPECT_EQ (unitOf (cut_short), LasUnit::Unknown);
 }
 
 TEST_F (LasUnitTest, IsFeetByTheNumberOfASystemWhereNoKeyTellsTheUnit)
 {
-  constexpr std::uint16_t california_in_us_feet = 2230, utm_zone_32 = 32632;
+  constexpr std::uint16_t utm_zone_32 = 32632;
   EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet}}), LasUnit::Foot);
-  EXPECT_EQ (unitWithKeys (
-                 {{projected_system, california_in_us_feet}, {linear_unit_key, meter}}),
+  EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet},
+                            {linear_unit, unit_meter}}),
              LasUnit::Meter);
   EXPECT_EQ (unitWithKeys ({{projected_system, utm_zone_32}}), LasUnit::Unknown);
 }

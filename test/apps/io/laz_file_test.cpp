@@ -27,7 +27,8 @@ compressByLaszip (const std::string& las, const std::string& laz)
   laszip_get_header_pointer (reader, &header);
   laszip_get_point_pointer (reader, &point);
   ASSERT_EQ (laszip_set_header (writer, header), 0);
-  ASSERT_EQ (laszip_open_writer (writer, laz.c_str(), 1), 0);
+  constexpr laszip_BOOL compresses = 1;
+  ASSERT_EQ (laszip_open_writer (writer, laz.c_str(), compresses), 0);
   const std::uint64_t points = header->number_of_point_records != 0
                                    ? header->number_of_point_records
                                    : header->extended_number_of_point_records;
@@ -47,8 +48,8 @@ LasRecipe
 recipeWithAll (std::uint8_t minor, std::uint8_t format)
 {
   LasRecipe recipe{minor, format};
-  recipe.extra = {"ab1", "cd2"};
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
+  recipe.extra = {"ab1", "cd2"}; // for each point two bytes that are described, and one
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", las_uint16)),
                  lasVlr ("someone", 7, "content")};
   recipe.gap = "between";
   if (minor == 4)
@@ -86,18 +87,19 @@ protected:
   }
 
   /** \brief The error message of loading the bytes of a LAZ; empty if they load as two
-   * points. */
+   * points, other_number if as another number of points. */
   std::string
-  complaintAbout (const std::string& bytes) const
+  complaintAboutBytes (const std::string& bytes) const
   {
     try {
-      const bool has_two_points = load ("bad.laz", bytes).size() == 2;
-      return has_two_points ? "" : "has other points";
+      return load ("bad.laz", bytes).size() == 2 ? "" : other_number;
     }
     catch (const std::exception& error) {
       return error.what();
     }
   }
+
+  static constexpr const char* other_number = "has not two points";
 };
 
 } // namespace
@@ -108,7 +110,7 @@ TEST_F (LazFileTest, HasThePointsThatLaszipCompressedOfEveryPointFormat)
     SCOPED_TRACE (int (format));
     LasRecipe recipe{4, format};
     recipe.extra = {"ab1", "cd2"};
-    recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3))};
+    recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", las_uint16))};
     const std::string las = write (recipe);
     compressByLaszip (las, folder_ / "laszip.laz");
     ASSERT_TRUE (LasFile (folder_ / "laszip.laz").isCompressed());
@@ -172,25 +174,26 @@ TEST_F (LazFileTest, IsNamedInMessagesInsteadOfItsTemporaryCopy)
   EXPECT_EQ (beyond_end.substr (0, laz.size() + 2), laz + ": ");
 }
 
-TEST_F (LazFileTest, IsRefusedWhereverItsPointsAreCut)
+TEST_F (LazFileTest, IsRefusedWhereverItIsCut)
 {
   const std::string whole = contentOf (compressed (recipeWithAll (4, 6)));
-  EXPECT_EQ (complaintAbout (whole), "");
+  EXPECT_EQ (complaintAboutBytes (whole), "");
   for (std::size_t size = 0; size < whole.size(); ++size)
-    EXPECT_NE (complaintAbout (whole.substr (0, size)), "") << size;
+    EXPECT_NE (complaintAboutBytes (whole.substr (0, size)), "") << size;
 }
 
-TEST_F (LazFileTest, IsRefusedOrReadWhateverByteIsDamaged)
+TEST_F (LazFileTest, IsRefusedOrHasAllPointsWhateverByteOfThemIsDamaged)
 {
   for (const std::uint8_t format : {3, 7}) {
     std::string whole = contentOf (compressed (recipeWithAll (4, format)));
-    const std::size_t points = headerIn (whole).points_offset;
+    const std::size_t begin_of_points = headerIn (whole).points_offset;
     for (std::size_t i = 0; i < whole.size(); ++i)
       for (const char flipped : {'\x01', '\x80', '\xff'}) {
         std::string damaged = whole;
         damaged[i] = static_cast<char> (damaged[i] ^ flipped);
-        const std::string complaint = complaintAbout (damaged);
-        EXPECT_TRUE (i < points || complaint != "has other points") << i;
+        const std::string complaint = complaintAboutBytes (damaged);
+        // A damaged header may promise another number: loading it must only end.
+        EXPECT_TRUE (i < begin_of_points || complaint != other_number) << i;
       }
   }
 }

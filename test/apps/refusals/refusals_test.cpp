@@ -10,15 +10,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A LAS with a field of extra bytes of this name, but of 16 bits: a type that
+/** \brief A LAS with a field of extra bytes of this name, but of a type that
  * pcl_ops_segment does not write. */
 LasRecipe
 withField (const std::string& name)
 {
-  constexpr char unsigned_16_bits = 3;
   LasRecipe recipe;
   recipe.extra = {"12", "34"};
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField (name, unsigned_16_bits))};
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField (name, las_uint16))};
   return recipe;
 }
 
@@ -27,12 +26,27 @@ class Refusals : public Segment {
 protected:
   Refusals()
   {
+    for (const char* folder :
+         {"scans", "more", "none", "planes", "folder.pcd", "room[1]"})
+      fs::create_directory (folder_ / folder);
+    writeWrongFiles();
+    copyInput();
+    fs::create_symlink ("loop.las", folder_ / "loop.las");
+    fs::create_symlink ("gone", folder_ / "gone*.pcd");
+    fs::create_symlink ("/dev/null", folder_ / "null.pcd");
+    ::mkfifo ((folder_ / "pipe.pcd").c_str(), S_IRUSR | S_IWUSR);
+  }
+
+  /** \brief Writes in.las, poses.txt, and files with something wrong. */
+  void
+  writeWrongFiles () const
+  {
     const std::string pcd = contentOf (folder_ / "in.pcd"), las = lasBytes ({});
     const std::string end_of_header = "DATA binary\n";
-    const std::size_t header = pcd.find (end_of_header) + end_of_header.size();
+    const std::size_t begin_of_points = pcd.find (end_of_header) + end_of_header.size();
     const std::pair<const char*, std::string> files[] = {
-        {"header.pcd", pcd.substr (0, header)},
-        {"half.pcd", pcd.substr (0, (header + pcd.size()) / 2)},
+        {"header.pcd", pcd.substr (0, begin_of_points)},
+        {"half.pcd", pcd.substr (0, (begin_of_points + pcd.size()) / 2)},
         {"empty.pcd", ""},
         {"nan.xyz", "nan nan nan\n"},
         {"in.las", las},
@@ -52,11 +66,13 @@ protected:
         {"poses.txt", "0 0 0 0 0 0 0 1\n"},
         {"W\xe4nde.xyz", "1 2 3\n"},
         {"room[1]/a.pcd", ""}};
-    for (const char* folder :
-         {"scans", "more", "none", "planes", "folder.pcd", "room[1]"})
-      fs::create_directory (folder_ / folder);
     for (const auto& [name, content] : files)
       folder_.write (name, content);
+  }
+
+  void
+  copyInput () const
+  {
     for (const char* copy : {"scans/a.pcd",
                              "scans/b.pcd",
                              "more/b.pcd",
@@ -66,10 +82,6 @@ protected:
                              "a_rest.pcd"})
       fs::copy_file (folder_ / "in.pcd", folder_ / copy);
     fs::create_hard_link (folder_ / "in.pcd", folder_ / "hard.pcd");
-    fs::create_symlink ("loop.las", folder_ / "loop.las");
-    fs::create_symlink ("gone", folder_ / "gone*.pcd");
-    fs::create_symlink ("/dev/null", folder_ / "null.pcd");
-    ::mkfifo ((folder_ / "pipe.pcd").c_str(), S_IRUSR | S_IWUSR);
   }
 
   /** \brief All regular files in the folder, each with the time it was last written. */
@@ -101,6 +113,7 @@ TEST_F (Refusals, AreOneLineAndHarmNothing)
       continue;
 #endif
     SCOPED_TRACE (program + " " + arguments);
+    // Temporary files that a program leaves would be among files().
     const Outcome done =
         shell ("env -u DISPLAY TMPDIR=. '" PCL_OPS_PROGRAMS "/pcl_ops_'" + program +
                " " + arguments);

@@ -77,26 +77,9 @@ floorAndWallInLas ()
 inline LasRecipe
 floorAndWallWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
 {
-  constexpr std::uint16_t geo_keys_id = 34735;
-  std::string bytes;
-  const auto add = [&] (std::initializer_list<std::uint16_t> entry) {
-    for (const std::uint16_t number : entry)
-      bytes += bytesOf (LasHeader::UInt16 (number));
-  };
-  add ({1, 1, 0, static_cast<std::uint16_t> (keys.size())});
-  for (const auto& [key, value] : keys)
-    add ({key, 0, 1, value});
   LasRecipe recipe = floorAndWallInLas();
-  recipe.vlrs = {lasVlr ("LASF_Projection", geo_keys_id, bytes)};
+  recipe.vlrs = {geoKeys (keys)};
   return recipe;
-}
-
-/** \brief \ref floorAndWallInLas with the same numbers in international feet: GeoTIFF
- * keys for the projected system EPSG:2992 (3072) and for its unit, 9002 (3076). */
-inline LasRecipe
-floorAndWallInFeet ()
-{
-  return floorAndWallWithKeys ({{3072, 2992}, {3076, 9002}});
 }
 
 /** \brief Text of a level square of points 4 cm apart at UTM coordinates; the fourth

@@ -132,14 +132,20 @@ protected:
     pcl::io::savePLYFileASCII (folder_ / "ascii.ply", cloud);
     pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
     folder_.write ("in.las", lasBytes (floorAndWallInLas()));
-    folder_.write ("feet.las", lasBytes (floorAndWallInFeet()));
-    // Keys: 3072 is the projected system, 3076 the unit of x and y, 4099 that of z. The
-    // value 2230 is a system in US feet; 9001 is the meter, 9003 the US foot.
-    folder_.write ("number.las", lasBytes (floorAndWallWithKeys ({{3072, 2230}})));
-    folder_.write ("high.las",
-                   lasBytes (floorAndWallWithKeys ({{3076, 9001}, {4099, 9003}})));
-    folder_.write ("low.las",
-                   lasBytes (floorAndWallWithKeys ({{3072, 2230}, {4099, 9001}})));
+    // All have the same numbers, whatever their unit.
+    const auto writeWithKeys =
+        [this] (const char* file,
+                const std::vector<std::array<std::uint16_t, 2>>& keys) {
+          folder_.write (file, lasBytes (floorAndWallWithKeys (keys)));
+        };
+    writeWithKeys ("feet.las",
+                   {{projected_system, oregon_in_feet}, {linear_unit, unit_foot}});
+    writeWithKeys ("number.las", {{projected_system, california_in_us_feet}});
+    writeWithKeys ("high.las",
+                   {{linear_unit, unit_meter}, {vertical_unit, unit_us_foot}});
+    writeWithKeys (
+        "low.las",
+        {{projected_system, california_in_us_feet}, {vertical_unit, unit_meter}});
     folder_.write ("rough.las", lasBytes (roughWall()));
     if (pcl_ops::apps::hasLaszip()) {
       std::ofstream stream (folder_ / "in.laz", std::ios::binary);

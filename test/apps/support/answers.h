@@ -97,12 +97,16 @@ protected:
   {
     if (value.is_number() && expected.is_number())
       return std::abs (value.get<double>() - expected.get<double>()) < tolerance;
-    if (!value.is_array() || value.size() != expected.size())
+    if (!value.is_structured() || value.type() != expected.type() ||
+        value.size() != expected.size())
       return value == expected;
-    return std::equal (value.begin(),
-                       value.end(),
-                       expected.begin(),
-                       [&] (auto& a, auto& b) { return isNear (a, b, tolerance); });
+    for (const auto& item : value.items()) { // the keys of a list are its positions
+      const Json::json_pointer position ("/" + item.key());
+      if (!expected.contains (position) ||
+          !isNear (item.value(), expected[position], tolerance))
+        return false;
+    }
+    return true;
   }
 
   /** The text of an output of the last command.
@@ -112,8 +116,8 @@ protected:
   textAt (const std::string& where) const
   {
     const bool is_printed = where.empty() || where == "out";
-    return is_printed       ? done_.out
-           : where == "err" ? done_.err
+    return is_printed       ? last_outcome_.out
+           : where == "err" ? last_outcome_.err
                             : contentOf (folder_ / where);
   }
 
@@ -121,13 +125,18 @@ protected:
    * \param[in] where TEXT#POINTER with TEXT as for \ref textAt; a cloud is read by \ref
    * toJson. Behind it may be .FIRST-LAST, for the set of these entries of a list, and
    * then .size, for the number of entries.
-   * \return a discarded value if the JSON has no such value */
+   * \return a discarded value if the JSON has no such value; fails if \p where has
+   * another form, or there is no JSON or no such entry of the list */
   Json
   valueAt (const std::string& where) const
   {
+    const Json no_value (Json::value_t::discarded);
+    const std::regex form (R"(([^#]*)#([^.]*)(\.(\d+)-(\d+))?(\.size)?)");
     std::smatch parts;
-    std::regex_match (
-        where, parts, std::regex (R"(([^#]*)#([^.]*)(\.(\d+)-(\d+))?(\.size)?)"));
+    if (!std::regex_match (where, parts, form)) {
+      ADD_FAILURE() << where << ": is no TEXT#POINTER";
+      return no_value;
+    }
     const std::string file = parts[1];
     const bool is_range = parts[3].matched, is_size = parts[6].matched;
     const Json json = pcl_ops::apps::hasCloudExtension (file)
@@ -135,12 +144,14 @@ protected:
                           : Json::parse (textAt (file), nullptr, false);
     EXPECT_FALSE (json.is_discarded()) << where << ": is no JSON";
     const Json::json_pointer pointer (parts[2]);
-    Json value =
-        json.contains (pointer) ? json[pointer] : Json (Json::value_t::discarded);
+    Json value = json.contains (pointer) ? json[pointer] : no_value;
     if (is_range) {
-      const auto first = value.begin() + std::stol (parts[4]),
-                 last = value.begin() + std::stol (parts[5]);
-      value = std::set<Json> (first, last + 1);
+      const long first = std::stol (parts[4]), last = std::stol (parts[5]);
+      if (!value.is_array() || first > last || last >= long (value.size())) {
+        ADD_FAILURE() << where << ": are no entries of a list";
+        return no_value;
+      }
+      value = std::set<Json> (value.begin() + first, value.begin() + last + 1);
     }
     // A discarded value would have the size 1.
     return is_size && !value.is_discarded() ? Json (value.size()) : value;
@@ -173,7 +184,7 @@ protected:
   }
 
   /** Fails unless a text is as expected.
-   * \param[in] where as for \ref textAt; with ! in front the part must be missing
+   * \param[in] where as for \ref textAt; with ! in front it must not be as expected
    * \param[in] expected a part of the text, with the escapes of JSON; =TEXT: all of it;
    * ^TEXT: its begin, and err must be one line */
   void
@@ -185,18 +196,16 @@ protected:
     const std::string part =
         Json::parse ('"' + expected.substr (is_all || is_begin) + '"')
             .get<std::string>();
-    if (is_all)
-      EXPECT_EQ (text, part);
-    else if (is_begin)
-      EXPECT_TRUE (text.rfind (part, 0) == 0 && (where != "err" || lines (text) == 1))
-          << text;
-    else
-      EXPECT_EQ (text.find (part) == std::string::npos, is_absent) << text;
+    const bool is_as_expected =
+        is_all     ? text == part
+        : is_begin ? text.rfind (part, 0) == 0 && (where != "err" || lines (text) == 1)
+                   : text.find (part) != std::string::npos;
+    EXPECT_NE (is_as_expected, is_absent) << "the text: " << text;
   }
 
   /** Runs the commands of the section and checks their outputs. A command is run once
-   * for successive rows, but again with --planes - for rows that begin with #. Its exit
-   * code has to be 0, or that of "exit N" in its first row.
+   * for successive rows, but again with --planes - where Answer::where begins with #.
+   * Its exit code has to be 0, or that of "exit N" in its first row.
    * \param[in] conditions for the beginning of a heading whether such sections are run,
    * not skipped */
   void
@@ -214,9 +223,9 @@ protected:
       SCOPED_TRACE (line + ": " + where);
       const bool fails = where.substr (0, 5) == "exit ";
       if (!new_command.empty() || line != last_line) {
-        done_ = shell (line);
-        EXPECT_EQ (done_.exit_code, fails ? std::stoi (where.substr (5)) : 0)
-            << done_.err;
+        last_outcome_ = shell (line);
+        EXPECT_EQ (last_outcome_.exit_code, fails ? std::stoi (where.substr (5)) : 0)
+            << last_outcome_.err;
       }
       last_line = line;
       if (where.find ('#') != std::string::npos)
@@ -227,5 +236,5 @@ protected:
   }
 
 private:
-  Outcome done_{};
+  Outcome last_outcome_{};
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,25 @@ using pcl_ops::apps::LasHeader;
 /** \brief Id of the variable length record that has the coordinate reference system as
  * WKT (well-known text). */
 inline constexpr std::uint16_t wkt_id = 2112;
+/** \brief Id of the record that has it as keys of GeoTIFF (\ref geoKeys). */
+inline constexpr std::uint16_t geo_keys_id = 34735;
 
-// Keys of GeoTIFF, another way to say the coordinate reference system.
+// Keys of GeoTIFF.
 inline constexpr std::uint16_t model_type = 1024;
 inline constexpr std::uint16_t geographic_system = 2048;
 inline constexpr std::uint16_t projected_system = 3072;
+inline constexpr std::uint16_t linear_unit = 3076; // of x and y
+inline constexpr std::uint16_t vertical_unit = 4099;
+// Values of model_type, of projected_system, and of keys of units.
+inline constexpr std::uint16_t projected_model = 1, geographic_model = 2;
+inline constexpr std::uint16_t california_in_us_feet = 2230, oregon_in_feet = 2992;
+inline constexpr std::uint16_t unit_meter = 9001, unit_foot = 9002, unit_us_foot = 9003;
+
+/** \brief User of the records about coordinate reference systems. */
+inline constexpr const char* projection_user = "LASF_Projection";
+
+// Types of fields of extra bytes that we do not write (LAS 1.4, table 24).
+inline constexpr char las_uint16 = 3, las_double = 10, las_pair_of_uint16 = 13;
 
 /** \brief The content of a small LAS file. */
 struct LasRecipe {
@@ -47,7 +62,7 @@ struct LasRecipe {
 /** \brief Length of the header of a record that is not extended [byte]. */
 constexpr std::size_t vlr_header_length = 2 + 16 + 2 + 2 + 32;
 
-/** \brief The header that a LAS begins with. */
+/** \brief The header that a LAS file begins with. */
 inline LasHeader&
 headerIn (std::string& las)
 {
@@ -68,10 +83,27 @@ lasVlr (std::string user, std::uint16_t id, const std::string& content)
          content;
 }
 
+/** \brief A record with the GeoKeyDirectoryTag of GeoTIFF: a header of four numbers,
+ * and then for each key its id, 0, 1 and its value.
+ * \param[in] keys each key and its value */
+inline std::string
+geoKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
+{
+  std::string bytes;
+  const auto add = [&] (std::initializer_list<std::uint16_t> entry) {
+    for (const std::uint16_t number : entry)
+      bytes += bytesOf (LasHeader::UInt16 (number));
+  };
+  add ({1, 1, 0, static_cast<std::uint16_t> (keys.size())});
+  for (const auto& [key, value] : keys)
+    add ({key, 0, 1, value});
+  return lasVlr (projection_user, geo_keys_id, bytes);
+}
+
 constexpr std::size_t extra_bytes_field_length = 192; // [byte]
 
 /** \brief The description of a field of extra bytes, as the record LASF_Spec 4 has it.
- * \param[in] type data type of LAS 1.4; 0: bytes without a description
+ * \param[in] type data type of LAS 1.4, such as las_uint16; 0: undocumented bytes
  * \param[in] options for type 0 the number of bytes */
 inline std::string
 extraBytesField (const std::string& name, char type, char options = 0)

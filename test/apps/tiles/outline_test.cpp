@@ -36,17 +36,20 @@ placesIn (const Within& is_within, bool is_wall = false)
   return places;
 }
 
-/** \brief The outline of a plane; holes, and all parts but the largest, have an area of
- * 2.25 m^2 or more.
- * \param[in] points number of points on the plane; with very many of them, corners stay
- * where the edges have them */
+/** \brief In place of a number of points: corners stay where the edges have them. */
+constexpr double so_many_that_corners_stay = 1e12;
+
+/** \brief The outline of a plane.
+ * \param[in] points number of points on the plane; by default as many as \ref placesIn
+ * draws */
 std::vector<PlanarRings>
 outlineOf (const std::vector<OutlineEdge>& edges,
            const Eigen::Vector3d& normal = up,
            double points = 8000.0)
 {
+  constexpr double min_area = 2.25; // of holes, and of all parts but the largest [m^2]
   return apps::outlineOf (
-      edges, PlaneFrame (Eigen::Vector3d::Zero(), normal), lattice, points, 2.25);
+      edges, PlaneFrame (Eigen::Vector3d::Zero(), normal), lattice, points, min_area);
 }
 
 std::vector<PlanarRings>
@@ -82,25 +85,30 @@ TEST (Outline, IsTheSameFromEitherSideAndOnAWall)
       const auto outline = outlineOf (places, sign * normal);
       ASSERT_EQ (outline.size(), 1u);
       EXPECT_EQ (outline[0].size(), 1u) << "no holes";
-      EXPECT_NEAR (areaOf (outline[0]), 400.0, 8.0) << "to the left: above zero";
+      EXPECT_NEAR (areaOf (outline[0]), 400.0, 8.0) << "counterclockwise: above zero";
     }
 }
 
-TEST (Outline, HasHolesAndParts)
+TEST (Outline, HasHolesAndPartsThatAreNotTooSmall)
 {
   struct Part {
     std::size_t rings;
+    // [m^2]; the tolerance is about the length of the rings times 0.1 m, which is half
+    // the distance of neighboring points.
     double area, tolerance;
   };
   const std::tuple<const char*, Within, std::vector<Part>> rows[] = {
       {"a hole",
        [] (const auto& point) { return fromMiddle (point) > 5.0; },
        {{2, 400.0 - 25.0 * M_PI, 12.0}}},
-      {"two parts, the larger one first, and one too small",
+      // The small part, of 0.8 m^2, is 3.5 m from the others: more than the diameter of
+      // the circles that join points, which is three cells.
+      {"two parts, the larger one first, and one too small between them",
        [] (const auto& point) {
-         return point.x() < 4.0 || point.x() > 8.0 || point.norm() < 1.0;
+         return point.x() < 4.0 || point.x() > 12.0 ||
+                (point - Eigen::Vector2d (8, 10)).norm() < 0.5;
        },
-       {{1, 240.0, 6.0}, {1, 80.0, 4.0}}},
+       {{1, 160.0, 6.0}, {1, 80.0, 5.0}}},
       {"a part in a hole",
        [] (const auto& point) {
          return fromMiddle (point) < 3.0 || fromMiddle (point) > 7.0;
@@ -120,6 +128,7 @@ TEST (Outline, HasHolesAndParts)
 TEST (Outline, OfTwoTilesIsThatOfOne)
 {
   // The border of the tiles is at x = 9.3 m. Each tile sees points up to 6 m beyond it.
+  constexpr std::int64_t border = 930, halo = 600; // [units of the lattice]
   const auto is_within = [] (const Eigen::Vector2d& point) {
     return (point - Eigen::Vector2d (9, 12)).norm() > 3.0;
   };
@@ -127,10 +136,10 @@ TEST (Outline, OfTwoTilesIsThatOfOne)
   for (const bool is_east : {false, true}) {
     std::vector<OutlinePoint> seen;
     for (OutlinePoint point : placesIn (is_within)) {
-      const double beyond =
-          (is_east ? 930.0 - point.position[0] : point.position[0] - 930.0);
-      point.is_own = is_east ? beyond <= 0.0 : beyond < 0.0;
-      if (beyond < 600.0)
+      const std::int64_t east_of_border = point.position[0] - border;
+      const std::int64_t beyond = is_east ? -east_of_border : east_of_border;
+      point.is_own = is_east ? beyond <= 0 : beyond < 0;
+      if (beyond < halo)
         seen.push_back (point);
     }
     const auto own = outlineEdges (seen, up, cell / lattice);
@@ -146,6 +155,7 @@ TEST (Outline, OfTwoTilesIsThatOfOne)
 
 TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
 {
+  // A square of 10 m x 10 m with its lower corner at (low, low).
   const auto square = [] (std::int64_t low) {
     const LatticePoint a{low, low, 0}, b{low + 1000, low, 0},
         c{low + 1000, low + 1000, 0}, d{low, low + 1000, 0};
@@ -154,7 +164,7 @@ TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
   std::vector<OutlineEdge> edges = square (0);
   const auto other = square (1000);
   edges.insert (edges.end(), other.begin(), other.end());
-  const auto outline = outlineOf (edges, up, 1e12);
+  const auto outline = outlineOf (edges, up, so_many_that_corners_stay);
   ASSERT_EQ (outline.size(), 2u);
   for (const PlanarRings& part : outline)
     EXPECT_NEAR (areaOf (part), 100.0, 1e-3);
@@ -183,7 +193,7 @@ TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
     std::vector<OutlineEdge> edges;
     for (std::size_t i = 0; i < ring.size(); ++i)
       edges.push_back ({ring[i], ring[(i + 1) % ring.size()]});
-    const auto outline = outlineOf (edges, up, 1e12);
+    const auto outline = outlineOf (edges, up, so_many_that_corners_stay);
     ASSERT_EQ (outline.size(), 1u);
     const double from_zero_to_tip = 5.0 * std::sqrt (2.0);
     for (const Eigen::Vector2d& corner : outline[0][0])
@@ -195,7 +205,7 @@ TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
 
 TEST (Outline, OfNoPointsOrALineIsEmpty)
 {
-  EXPECT_TRUE (outlineEdges ({}, up, 100.0).empty());
+  EXPECT_TRUE (outlineEdges ({}, up, cell / lattice).empty());
   std::vector<OutlinePoint> line;
   for (std::int64_t i = 0; i < 50; ++i)
     line.push_back ({{i, 0, 0}, true});

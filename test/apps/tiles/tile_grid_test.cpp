@@ -12,7 +12,8 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief Cells of half a meter, and tiles of 24 x 24 columns of cells: 12 m x 12 m. */
+/** \brief Cells of half a meter, tiles of 24 x 24 columns of cells, 12 m x 12 m, and
+ * points near zero. */
 const TileGrid grid{0.5, 24, {0, 0, 0}};
 
 std::set<TileKey>
@@ -39,18 +40,19 @@ TEST (TileGrid, PutsABorderIntoTheTileThatBeginsThere)
     EXPECT_EQ (grid.tileOf (grid.cellOf ({x, y, 0.0})), tile) << x << " " << y;
 }
 
-TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
+TEST (TileGrid, ShowsAPointToOtherTilesIfItIsInTheirHalo)
 {
-  // A halo is 12 cells wide, 6 m: half a tile.
+  // A halo is 12 cells wide, 6 m: half a tile. Both points are in the tile (0, 0).
   EXPECT_EQ (tilesAround (5.9, 5.9), (std::set<TileKey>{{-1, 0}, {0, -1}, {-1, -1}}));
   EXPECT_EQ (tilesAround (6.1, 5.9), (std::set<TileKey>{{1, 0}, {0, -1}, {1, -1}}));
   const TileGrid wide{0.5, 240, {0, 0, 0}};
+  const CellKey middle{120, 120, 0}, near_border{120, 11, 0}; // of the tile (0, 0)
   int others = 0;
-  wide.forTilesAround ({120, 120, 0}, [&others] (const TileKey&) { ++others; });
-  EXPECT_EQ (others, 0) << "far from all borders";
-  EXPECT_TRUE (wide.isSeenOnlyBy ({0, 0}, {120, 120, 0}));
-  EXPECT_FALSE (wide.isSeenOnlyBy ({0, 0}, {120, 11, 0}));
-  EXPECT_FALSE (wide.isSeenOnlyBy ({0, 1}, {120, 120, 0}));
+  wide.forTilesAround (middle, [&others] (const TileKey&) { ++others; });
+  EXPECT_EQ (others, 0);
+  EXPECT_TRUE (wide.isSeenOnlyBy ({0, 0}, middle));
+  EXPECT_FALSE (wide.isSeenOnlyBy ({0, 0}, near_border)) << "tile (0, -1) sees it, too";
+  EXPECT_FALSE (wide.isSeenOnlyBy ({0, 1}, middle)) << "it is in another tile";
 }
 
 TEST (TileGrid, PutsZeroOfATilesFrameAsNearToThePointsAsTheTileAllows)
@@ -58,8 +60,10 @@ TEST (TileGrid, PutsZeroOfATilesFrameAsNearToThePointsAsTheTileAllows)
   const CellKey near_points{100, -52, 8};
   const TileGrid grid_near_points{0.5, 24, near_points};
   EXPECT_EQ (grid_near_points.frameOf ({4, -3}), near_points) << "it is in this tile";
-  EXPECT_EQ (grid_near_points.frameOf ({6, 0}), (CellKey{144, 0, 8}));
-  EXPECT_EQ (grid_near_points.frameOf ({0, -9}), (CellKey{24, -192, 8}));
+  EXPECT_EQ (grid_near_points.frameOf ({6, 0}), (CellKey{144, 0, 8}))
+      << "the tile has the cells 144 to 168 and 0 to 24";
+  EXPECT_EQ (grid_near_points.frameOf ({0, -9}), (CellKey{24, -192, 8}))
+      << "the tile has the cells 0 to 24 and -216 to -192";
 }
 
 using Positions = std::vector<std::size_t>;
@@ -67,8 +71,8 @@ using Positions = std::vector<std::size_t>;
 TEST (Ranks, ShareTheWorkEvenlyTheLargestPartsFirst)
 {
   const std::vector<std::uint64_t> work_of_part = {1, 6, 2, 3, 4};
-  EXPECT_EQ (shareOf (0, 2, work_of_part), (Positions{1, 2})) << "6 and 2";
-  EXPECT_EQ (shareOf (1, 2, work_of_part), (Positions{4, 3, 0})) << "4, 3 and 1";
+  EXPECT_EQ (shareOf (0, 2, work_of_part), (Positions{1, 2})) << "work of 6 and 2";
+  EXPECT_EQ (shareOf (1, 2, work_of_part), (Positions{4, 3, 0})) << "of 4, 3 and 1";
   EXPECT_EQ (shareOf (0, 1, work_of_part), (Positions{1, 4, 3, 2, 0}));
   EXPECT_EQ (shareOf (7, 8, work_of_part), Positions{}) << "more ranks than work";
 }
