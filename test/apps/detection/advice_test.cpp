@@ -35,9 +35,9 @@ TEST (Advice, IsToGiveAVoxelSizeWhereAHillIsOnePlane)
 {
   const std::string hint =
       hintOnSurface ([] (double x, double y) { return std::sin (x) * std::cos (y); });
-  // The advised voxel size is twice the spacing.
   EXPECT_NE (hint.find ("100 % of the points on planes"), std::string::npos) << hint;
-  EXPECT_NE (hint.find ("--voxel-size 0.1"), std::string::npos) << hint;
+  EXPECT_NE (hint.find ("--voxel-size 0.1"), std::string::npos)
+      << "twice the spacing: " << hint;
 }
 
 TEST (Advice, IsSilentOnAFloorThatBendsALittle)
@@ -56,8 +56,7 @@ TEST (Advice, IsToRaiseAVoxelSizeThatLeavesOnePointInAVoxel)
   ops.surfels.voxel_size = 0.1; // [m]
   EXPECT_EQ (adviceFor (ops, cloud, {}),
              "half of the points have 1 or fewer points within --voxel-size 0.1 of "
-             "them: raise "
-             "it, or leave it out");
+             "them: raise it, or leave it out");
   ops.surfels.voxel_size = 10.0;
   EXPECT_EQ (adviceFor (ops, cloud, {}).find ("--voxel-size"), std::string::npos);
 }

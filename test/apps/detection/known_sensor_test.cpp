@@ -18,7 +18,8 @@ namespace {
 
 enum class Cellar { None, BelowHalfOfTheFloor };
 
-/** \brief A floor of 4 m x 4 m at z = -1.5 m and a point of a wall.
+/** \brief A floor of 4 m x 4 m at z = -1.5 m and a point of a wall at z = 1 m: the
+ * bounding box ends there.
  * \param[in] sensor position of the sensor by the cloud [m]
  * \param[in] cellar half of the floor may be there a second time, 2.5 m lower */
 ShiftedCloud
@@ -31,7 +32,7 @@ floorSeenFrom (const Vector3d& sensor, Cellar cellar = Cellar::None)
       if (cellar == Cellar::BelowHalfOfTheFloor && x > 0.0f)
         shifted.cloud->emplace_back (x, y, -4.0f);
     }
-  shifted.cloud->emplace_back (0.0f, 2.0f, 1.0f); // of a wall
+  shifted.cloud->emplace_back (0.0f, 2.0f, 1.0f);
   shifted.cloud->sensor_origin_.head<3>() = sensor.cast<float>();
   return shifted;
 }

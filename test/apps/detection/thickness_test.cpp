@@ -83,7 +83,7 @@ TEST (Thickness, OfExactPointsIsNearZeroThoughSinglePrecisionRoundsThem)
 TEST (Thickness, OfScanLinesIsMeasuredAcrossThem)
 {
   // Lines are 30 cm apart, every second one is 10 cm higher, their points are 2 cm
-  // apart. Points of one line do not scatter, those of several lines do.
+  // apart. Points of one line do not scatter, those of several lines do, as all points.
   XyzCloud cloud;
   for (int line = 0; line < 30; ++line)
     for (int i = 0; i < 400; ++i)

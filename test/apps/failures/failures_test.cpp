@@ -173,7 +173,7 @@ allOutputs ()
   return rows;
 }
 
-/** \brief No command of the table writes as often. */
+/** \brief A command of the table writes fewer times. */
 constexpr int max_writes = 100;
 
 /** \brief Failures at the output of one row. */
@@ -281,6 +281,7 @@ TEST_F (Failing, TooLittleMemoryIsNotTakenForADamagedCloud)
 TEST_F (Failing, AnOutputAboveTheSizeLimitOfFilesIsReported)
 {
   command_ = "pcl_ops_segment in.pcd OUT";
+  // The limit is 1 block: 512 or 1024 bytes, as the shell has it.
   expectReportedWithoutHarm (runFailing ("", "ulimit -f 1"), "a.pcd");
 }
 

@@ -289,7 +289,9 @@ TEST_F (CloudFile, OfDoublePrecisionIsMovedAlikeInAnyOrderAndBesideMissingReadin
     return shiftedCloudOf (load ("far.xyz", lines)).shift;
   };
   const Eigen::Vector3d shift = shiftOf (text);
-  EXPECT_NEAR (shift.x(), 513345.0, 16.0 * 500.0);
+  // The median is rounded to a step of 16 to 32 times the median deviation from it.
+  constexpr double median = 513345.0, deviation = 500.0; // of x [m]
+  EXPECT_NEAR (shift.x(), median, 32.0 * deviation / 2.0);
   EXPECT_EQ (shiftOf (reversed), shift);
   EXPECT_EQ (shiftOf (zeros + text + zeros), shift);
 }
@@ -310,7 +312,7 @@ TEST_F (CloudFile, HasNoPoseWhereItsViewpointIsNotFinite)
 TEST_F (CloudFile, HasWhatTheTableSays)
 {
   const auto rows = tableIn (PCL_OPS_READ_FILES);
-  ASSERT_GT (rows.size(), 30u);
+  ASSERT_FALSE (rows.empty());
   for (const auto& row : rows) {
     SCOPED_TRACE (row.at (0) + " " + row.at (1));
     EXPECT_EQ (textOf (load (row[0], contentOfRow (row[0], row[1]))), row.at (2));
@@ -335,7 +337,7 @@ TEST_F (CloudFile, HasTinyNumbersAlsoWhereALocaleHasADecimalComma)
 TEST_F (CloudFile, IsRefusedForWhatTheTableSays)
 {
   const auto rows = tableIn (PCL_OPS_REFUSED_FILES);
-  ASSERT_GT (rows.size(), 60u);
+  ASSERT_FALSE (rows.empty());
   for (const auto& row : rows) {
     SCOPED_TRACE (row.at (0) + " " + row.at (1));
     EXPECT_EQ (complaintAbout (row[0], contentOfRow (row[0], row[1])), row.at (2));
@@ -360,13 +362,13 @@ TEST_F (CloudFile, IsRefusedForWhatIsTooLong)
   for (const auto& [elements, reason] : rows)
     EXPECT_EQ (complaintAbout ("bad.ply", plyWith (elements, "")),
                "is no valid PLY file: " + reason + "; write it again");
-  // 2^16 fields of 2^23 bytes for each of 2^25 points: in 64 bits, the product of these
-  // is 0.
+  // 2^16 fields of 8 x 2^20 = 2^23 bytes for each of 2^25 points: in 64 bits, the
+  // product of these is 0.
   std::string many;
   for (const char* line : {"FIELDS x", "SIZE 8", "TYPE F", "COUNT 1048576"}) {
     many += line;
     for (int i = 1; i < 1 << 16; ++i)
-      many += std::strchr (line, ' ');
+      many += std::strchr (line, ' '); // the word again
     many += "\n";
   }
   many += "WIDTH 33554432\nHEIGHT 1\nPOINTS 33554432\nDATA ascii\n";
@@ -376,12 +378,12 @@ TEST_F (CloudFile, IsRefusedForWhatIsTooLong)
 
 TEST_F (CloudFile, ReadsBinaryOfEitherOrderAndListsOfAnyLength)
 {
-  const auto binary = [] (const std::string& format, std::string bytes) {
-    return plyWith (
-        triangle, bytes + std::string ("\3", 1) + std::string (12, '1'), format);
+  const auto binary = [] (const std::string& format, const std::string& vertices) {
+    const std::string face = "\3" + std::string (12, '1'); // length, three numbers
+    return plyWith (triangle, vertices + face, format);
   };
   EXPECT_EQ (complaintAbout ("good.ply", contentOfRow ("list.ply", "2 0 1")), "");
-  const std::string zeros (20, '\0');
+  const std::string zeros (20, '\0'); // all but one of the six floats of two vertices
   const std::pair<const char*, std::string> rows[] = {
       {"binary_little_endian", std::string ("\0\0\x80\x3f", 4)},
       {"binary_big_endian", std::string ("\x3f\x80\0\0", 4)}};
@@ -397,7 +399,7 @@ TEST_F (CloudFile, RefusesCompressedDataThatAreCutOrCannotHoldWhatIsPromised)
   pcl::io::savePCDFileBinaryCompressed (folder_ / "a.pcd", threePoints());
   const std::string whole = contentOf (folder_ / "a.pcd");
   EXPECT_EQ (complaintAbout ("a.pcd", whole.substr (0, whole.size() - 20)), truncated);
-  const std::uint32_t sizes[] = {50, 3'600'000'000};
+  const std::uint32_t sizes[] = {50, 3'600'000'000}; // compressed, promised [byte]
   std::string bomb = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 300000000\nHEIGHT 1\n"
                      "POINTS 300000000\nDATA binary_compressed\n";
   bomb += std::string (reinterpret_cast<const char*> (sizes), sizeof (sizes)) +
@@ -415,9 +417,7 @@ TEST_F (CloudFile, OfKittiHasFourNumbersForEachPointAndOfNuScenesFive)
   EXPECT_EQ (complaintAbout ("000001.bin", bytes),
              "is no valid KITTI file: its size is no multiple of the 16 bytes of a "
              "point; write it again");
-  EXPECT_EQ (complaintAbout ("code.bin",
-                             "These bytes are a text, no points."
-                             "These bytes are "),
+  EXPECT_EQ (complaintAbout ("code.bin", "a text, no points"),
              "is no valid KITTI file: its size is no multiple of the 16 bytes of a "
              "point; write it again");
   EXPECT_EQ (complaintAbout ("code.bin", std::string (32, '\xfe')),

@@ -30,7 +30,7 @@ TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
 {
   // These files have the names that temporary files of this process could have: another
   // container may run a program with the same process id.
-  constexpr int files = 500;
+  constexpr int files = 500; // so many that they have the next number of this process
   const std::string start = ".pcl_ops." + std::to_string (::getpid()) + ".";
   for (int i = 0; i < files; ++i)
     folder_.write (start + std::to_string (i), "precious");

@@ -13,12 +13,11 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-constexpr int side = 100;
-
-/** \brief A floor of 2 m x 2 m, with side x side points. */
+/** \brief A floor of 2 m x 2 m, with 100 x 100 points. */
 XyzCloud
 floorOfPoints ()
 {
+  constexpr int side = 100;
   XyzCloud cloud;
   for (int x = 0; x < side; ++x)
     for (int y = 0; y < side; ++y)
@@ -41,6 +40,9 @@ withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& first, float step)
   }
   return cloud;
 }
+
+/** \brief For \ref withMoved: 104 of 10,000 points. */
+constexpr int one_of_for_one_per_cent = 97;
 
 const pcl::PointXYZ no_reading (std::numeric_limits<float>::quiet_NaN(),
                                 std::numeric_limits<float>::quiet_NaN(),
@@ -107,15 +109,18 @@ TEST (CloudDamage, IsNoneWhereOnePointInAThousandIsVeryFarAway)
 
 TEST (CloudDamage, IsNoneWhereOnePerCentIsAKilometerAway)
 {
-  EXPECT_EQ (damage (withMoved (floorOfPoints(), 97, {1e3f, 0, 0}, 1.0f)), "");
+  EXPECT_EQ (
+      damage (withMoved (floorOfPoints(), one_of_for_one_per_cent, {1e3f, 0, 0}, 1.0f)),
+      "");
 }
 
 TEST (CloudDamage, IsSeenWhereOnePerCentIsAThousandKilometersAway)
 {
   // The far points are a kilometer from each other.
-  EXPECT_EQ (damage (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f)),
-             "looks damaged: 1 % of its points are more than 1000 times as far away as "
-             "the rest is wide; leave them out");
+  EXPECT_EQ (
+      damage (withMoved (floorOfPoints(), one_of_for_one_per_cent, {1e6f, 0, 0}, 1e3f)),
+      "looks damaged: 1 % of its points are more than 1000 times as far away as "
+      "the rest is wide; leave them out");
 }
 
 TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlace)
@@ -165,7 +170,8 @@ TEST (CloudDamage, CountsMissingReadingsAtZeroIfTheyAreAPercentOrMore)
   EXPECT_EQ (damageWithZeros (3), said ("33"));
   EXPECT_EQ (damageWithZeros (49), said ("2.1"));
   EXPECT_EQ (damageWithZeros (501), "");
-  XyzCloud on_a_grid = floor; // nine places, each of 6 to 25 % of the points
+  // Whole meters: nine places, zero among them, each of 6 to 25 % of the points.
+  XyzCloud on_a_grid = floor;
   for (pcl::PointXYZ& point : on_a_grid)
     point.getVector3fMap() = point.getVector3fMap().array().round();
   EXPECT_EQ (damageOf ({on_a_grid.makeShared()}), "");

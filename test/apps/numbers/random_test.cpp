@@ -29,7 +29,7 @@ TEST (Random, DrawsEveryNumberBelowABoundEquallyOften)
     ++thirds.at (drawn >> 30);
     ++residues.at (drawn % 3);
   }
-  constexpr int tolerance = 400; // five standard deviations, sqrt (draws * 1/3 * 2/3)
+  constexpr int tolerance = 400; // five times sqrt (draws * 1/3 * 2/3), the deviation
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR (thirds[i], draws / 3, tolerance);
     EXPECT_NEAR (residues[i], draws / 3, tolerance);
@@ -47,6 +47,8 @@ TEST (Random, GaussiansHaveMeanZeroAndVarianceOne)
     sum += drawn;
     squares += drawn * drawn;
   }
+  // Five standard deviations of the mean, sqrt (1 / draws), and 3.5 of the variance,
+  // sqrt (2 / draws).
   EXPECT_NEAR (sum / draws, 0.0, 0.05);
   EXPECT_NEAR (squares / draws, 1.0, 0.05);
 }

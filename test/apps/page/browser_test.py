@@ -170,7 +170,10 @@ class Page(unittest.TestCase):
         cls.temporary.cleanup()
 
     def chromium(self, page, *options):
-        """The standard output of Chromium for the file of a page."""
+        """The standard output of Chromium for the file of a page.
+
+        It needs no graphics card, and no sandbox, which root cannot have.
+        """
         command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-dev-shm-usage",
                    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
                    "--hide-scrollbars",

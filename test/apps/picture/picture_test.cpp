@@ -342,8 +342,8 @@ TEST (LabeledCloud, IsSavedWithLessMemoryThanACopyNeeds)
 #ifdef PCL_OPS_SANITIZED
   GTEST_SKIP() << "sanitizers keep what is freed";
 #endif
-  constexpr std::size_t size =
-      4000000; // points, of 3 bytes each: a copy needs 3 * size
+  // Number of points of 3 bytes each: a copy needs 3 * size.
+  constexpr std::size_t size = 4'000'000;
   const TemporaryFolder folder;
   FileCloud cloud;
   cloud.points.width = size;

@@ -32,7 +32,7 @@ public:
   bool
   waitFor (const std::string& name) const
   {
-    constexpr int milliseconds = 60'000;
+    constexpr int milliseconds = 60'000; // a program writes its first file much sooner
     pollfd events{queue_, POLLIN, 0};
     while (::poll (&events, 1, milliseconds) > 0)
       for (const std::string& appeared : takeNames())
@@ -78,7 +78,8 @@ protected:
     if (child == 0) {
       ::dup2 (input, STDIN_FILENO);
       ::execl ("/bin/sh", "sh", "-c", line.c_str(), nullptr);
-      ::_exit (127);
+      constexpr int no_shell = 127;
+      ::_exit (no_shell);
     }
     return child;
   }
@@ -171,11 +172,12 @@ TEST_F (InterruptedBatch, LeavesNothingTemporaryAndOnlyWholeClouds)
 
 TEST_F (Interruption, OfAPipeLeavesNoTemporaryFile)
 {
-  // More than a pipe holds, so that the program has read some; then nothing more comes.
+  // More than a pipe holds: when all is written the program has read some of it, and it
+  // waits for the end of the pipe.
   const std::string bytes (3'000'000, '\0');
   int pipe[2];
   ASSERT_EQ (::pipe (pipe), 0);
-  std::signal (SIGPIPE, SIG_IGN);
+  std::signal (SIGPIPE, SIG_IGN); // if the program ends too soon, write fails instead
   fs::create_directory (folder_ / "tmp");
   const FolderWatch temporary_files (folder_ / "tmp");
   const pid_t program =

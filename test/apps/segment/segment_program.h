@@ -39,8 +39,8 @@ addGrid (InputCloud& cloud,
     }
 }
 
-/** \brief In this order: a floor of 2 m by 2 m, a point with NaN coordinates, and a
- * wall of 2 m by 2 m at x = 3 m.
+/** \brief In this order: a floor of 2 m x 2 m, a point with NaN coordinates, and a wall
+ * of 2 m x 2 m at x = 3 m.
  * \param[in] side number of points along each edge of floor and wall */
 inline InputCloud
 floorAndWall (int side = points_of_side)

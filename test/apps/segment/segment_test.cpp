@@ -44,7 +44,8 @@ twoFloors ()
   return cloud;
 }
 
-/** \brief The floor and two table tops, both 0.7 m high and with a gap of 1 m. */
+/** \brief The floor and two table tops, both 0.7 m high and with a gap of 1 m. They
+ * have 40 x 40 and 30 x 40 points. */
 InputCloud
 twoTables ()
 {
@@ -97,6 +98,20 @@ scanOfKitti (const InputCloud& cloud)
     for (const float number : {point.x, point.y, point.z, point.intensity})
       bytes.append (reinterpret_cast<const char*> (&number), sizeof (number));
   return bytes;
+}
+
+/** \brief A wall of 3 m x 2 m at y = 2 m with a window of 1 m x 0.8 m. Points are 2 cm
+ * apart. */
+InputCloud
+wallWithWindow ()
+{
+  InputCloud wall;
+  const Vector3f across (0.02f, 0, 0), upwards (0, 0, 0.02f);
+  addGrid (wall, {0, 2, 0}, across, 151, upwards, 41);    // below the window
+  addGrid (wall, {0, 2, 1.6f}, across, 151, upwards, 21); // above it
+  addGrid (wall, {0, 2, 0.82f}, across, 51, upwards, 39); // beside it
+  addGrid (wall, {2, 2, 0.82f}, across, 51, upwards, 39);
+  return wall;
 }
 
 /** \brief A folder with the clouds of answers.tsv. */
@@ -184,6 +199,7 @@ protected:
   saveScenes () const
   {
     InputCloud scene = withColumns (40);
+    // Three points above each other, on no plane.
     addGrid (scene, {1.0f, 1.0f, 0.7f}, {0, 0, 0.3f}, 3, {0, 0, 0}, 1);
     save ("scene.pcd", scene);
     InputCloud board = withColumns (0);
@@ -194,6 +210,7 @@ protected:
     save ("ceiling.pcd", floorAndWall(), Vector3f (0.5f, 1.0f, -2.0f));
     InputCloud floors = floorAndWall (100);
     save ("room.pcd", floors);
+    // A second floor beside the first one, 3 cm higher.
     floors.resize (100 * 100);
     addGrid (floors, {0, 2.5f, 0.03f}, {0.02f, 0, 0}, 100, {0, 0.02f, 0}, 100);
     save ("floors.pcd", floors);
@@ -324,7 +341,7 @@ TEST_P (SegmentAnswers, AreThoseOfTheTable)
 
 TEST_F (Segment, WritesDistancesBehindTheRecordsOfALas)
 {
-  // The test reads the bytes, as no program of the project reads distances of a LAS.
+  // The test reads the bytes: no program of the project reads distances of a LAS.
   folder_.write ("rough.las", lasBytes (roughWall()));
   expectDone ("rough.las out.las --distances");
   std::string las = contentOf (folder_ / "out.las");
@@ -333,6 +350,7 @@ TEST_F (Segment, WritesDistancesBehindTheRecordsOfALas)
     const std::size_t end = header.points_offset + (i + 1) * header.record_length;
     return reinterpret_cast<boost::endian::little_float32_t&> (las[end - 4]);
   };
+  // Which side of the wall is positive is not fixed.
   const float first = std::copysign (0.002f, distanceOf (0));
   for (int i = 0; i < points_of_plane; ++i)
     ASSERT_NEAR (distanceOf (i), first * static_cast<float> (1 - i % 3), 2e-4f) << i;
@@ -346,13 +364,7 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
   posed.sensor_orientation_ = Eigen::AngleAxisf (0.5f, Eigen::Vector3f::UnitY());
   save ("posed.pcd", posed);
   folder_.write ("utm.las", lasBytes (floorAndWallInLas()));
-  InputCloud wall; // 3 m by 2 m, with a window of 1 m by 0.8 m
-  const Vector3f across (0.02f, 0, 0), upwards (0, 0, 0.02f);
-  addGrid (wall, {0, 2, 0}, across, 151, upwards, 41);
-  addGrid (wall, {0, 2, 1.6f}, across, 151, upwards, 21);
-  addGrid (wall, {0, 2, 0.82f}, across, 51, upwards, 39);
-  addGrid (wall, {2, 2, 0.82f}, across, 51, upwards, 39);
-  save ("wall.pcd", wall);
+  save ("wall.pcd", wallWithWindow());
   const std::string concave = has_concave_hulls ? " --hull concave" : "";
   const Eigen::Isometry3d not_moved = Eigen::Isometry3d::Identity();
   const Eigen::Isometry3d pose =

@@ -60,7 +60,7 @@ pcdOfManyTypes ()
   return text;
 }
 
-/** \brief A scan of a horizontal square of 1 m by 1 m, in the format PTX.
+/** \brief A scan of a horizontal square of 1 m x 1 m, in the format PTX.
  * \param[in] scanner height of the scanner [m]
  * \param[in] above height of the square above the scanner, negative if below [m] */
 inline std::string
@@ -75,7 +75,7 @@ scanText (int scanner, int above)
   return text.str();
 }
 
-/** \brief A square of 2 m by 2 m at z = 5, in the format OFF. */
+/** \brief A square of 2 m x 2 m at z = 5 m, in the format OFF. */
 inline std::string
 offText ()
 {
@@ -86,7 +86,7 @@ offText ()
   return text.str();
 }
 
-/** \brief Three squares of 2 m by 2 m that meet in a corner, in double precision at UTM
+/** \brief Three squares of 2 m x 2 m that meet in a corner, in double precision at UTM
  * coordinates. */
 inline std::string
 farCornerText ()
@@ -108,7 +108,7 @@ farCornerText ()
   return text.str();
 }
 
-/** \brief A wall of 3 m by 2 m with a window of 1 m by 0.8 m. */
+/** \brief A wall of 3 m x 2 m with a window of 1 m x 0.8 m. */
 inline std::string
 windowText ()
 {
@@ -117,6 +117,7 @@ windowText ()
     for (int row = 0; row <= 100; ++row) {
       const double x = 0.02 * column;
       const double z = 0.02 * row;
+      // The rim of the window, from 1 to 2 m and from 0.8 to 1.6 m, has points.
       const bool is_in_window = x > 1.005 && x < 1.995 && z > 0.805 && z < 1.595;
       if (!is_in_window)
         text << x << " 2 " << z << '\n';

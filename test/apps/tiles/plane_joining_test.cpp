@@ -96,8 +96,9 @@ joined (const Row& row)
                      [&row] (const TileKey& tile) { return row[tile[0]]; });
 }
 
-/** \brief Two tiles with a wall each, 10 m long. The border voxels of both are the same
- * twelve cells around x = 10. */
+/** \brief Two tiles with a wall each, 10 m long. Both have their walls in the same
+ * twelve cells, of 1 m, around x = 10 m.
+ * \param[in] y_of_first,y_of_second of the walls [m] */
 Row
 twoTiles (double y_of_first, double y_of_second)
 {
@@ -116,13 +117,13 @@ TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
                row[0].pieces[0].own_moments.sums + row[1].pieces[0].own_moments.sums);
 }
 
-TEST (PlaneJoining, JoinsNoPlanesThatAreApartOrShareHardlyACell)
+TEST (PlaneJoining, JoinsNoPlanesThatAreApartNotParallelOrShareFewerThanThreeCells)
 {
-  EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u) << "10 cm";
+  EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u) << "10 cm apart";
   Row row = twoTiles (5.0, 5.0);
   for (const std::size_t shared : {2, 0}) {
     row[1].border_voxels.resize (shared);
-    EXPECT_EQ (joined (row).planes.size(), 2u) << shared;
+    EXPECT_EQ (joined (row).planes.size(), 2u) << shared << " cells are shared";
   }
   row = twoTiles (5.0, 5.0);
   ExactMoments floor;

@@ -12,6 +12,7 @@ using namespace pcl_ops::apps;
 
 TEST (TilesToMeasure, AreAllOfASmallSurveyAndEvenlySpreadInALargeOne)
 {
+  // Of more than 400,000 points, as many tiles are measured as have about that many.
   EXPECT_EQ (tilesToMeasure ({1000, 5, 300}), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ (tilesToMeasure (std::vector<std::uint64_t> (8, 200'000)),
              (std::vector<std::size_t>{2, 6}));
@@ -21,6 +22,7 @@ TEST (TilesToMeasure, AreAllOfASmallSurveyAndEvenlySpreadInALargeOne)
 TEST (SurveyNoise, ComesBackFromItsFile)
 {
   const TemporaryFolder folder;
+  // Any numbers, in the order of the members that are compared below.
   const pcl_ops::CloudNoise noise{1e7, {1.7, 1.0}, 2.5, 0.013, {{-3, 0.02}, {7, 0.01}}};
   saveNoise (folder / "noise", noise);
   const pcl_ops::CloudNoise again = loadNoise (folder / "noise");

@@ -63,8 +63,9 @@ squareOfPoints (double distance)
   return text.str();
 }
 
-/** \brief A roof of 100 m by 28 m in text, with a slope of 45 degrees. Heights scatter
- * by up to 3 cm. Its ridge is turned by 30 degrees. */
+/** \brief A roof of 100 m x 28 m in text, 20 m high, with a slope of 45 degrees.
+ * Heights scatter by up to 3 cm. Its ridge is turned by 30 degrees, whose sine is 0.5.
+ */
 std::string
 steepRoof ()
 {
@@ -299,7 +300,8 @@ TEST_F (ChosenPlanes, OfASlopeAndAnAreaAreRoofsWithFewCornersFacingUp)
     EXPECT_EQ (properties.at ("orientation"), "other");
     EXPECT_GE (properties.at ("area").get<double>(), 20.0);
     EXPECT_GT (properties.at ("nz").get<double>(), 0.0);
-    EXPECT_LE (roof.at ("geometry").at ("coordinates").at (0).size(), 13u);
+    constexpr std::size_t few_corners = 12; // the first comes again as the last
+    EXPECT_LE (roof.at ("geometry").at ("coordinates").at (0).size(), few_corners + 1);
   }
   expectRunUnchanged();
 }

@@ -3,6 +3,7 @@
 #include <support/program_folder.h>
 
 #include <algorithm>
+#include <csignal>
 #include <map>
 
 namespace {
@@ -19,8 +20,8 @@ const std::string tiles = "pcl_ops_tiles town --output-dir out --tile 40";
  * stopped. */
 class TilesRestart : public ProgramFolder {
 protected:
-  static constexpr int max_writes = 200;
-  static constexpr int code_when_killed = 137;
+  static constexpr int max_writes = 200;                 // a run has fewer
+  static constexpr int code_when_killed = 128 + SIGKILL; // as of the shell
 
   TilesRestart() : ProgramFolder (PCL_OPS_TILES_PROGRAM)
   {
@@ -181,7 +182,7 @@ TEST_F (TilesRestart, RemovesItsCellsAtTheEnd)
 {
   stopOnceThereIs ("out/work/cells/3.cells", tiles);
   expectSuccess (tiles);
-  EXPECT_FALSE (fs::exists (folder_ / "out/work/cells/3.cells"));
+  EXPECT_FALSE (fs::exists (folder_ / "out/work/cells/3.cells")) << "of the last input";
 }
 
 TEST_F (TilesRestart, WritesAFileThatWasRemovedFromAFinishedRunAgain)
@@ -203,18 +204,18 @@ TEST_F (TilesRestart, WritesFilesThatWereRemovedFromAStoppedRunAgain)
 TEST_F (TilesRestart, NamesAFileThatClaimsMoreNumbersThanItsBytes)
 {
   stopOnceThereIs ("out/work/planes/planes.json", tiles);
-  overwrite (".numbers", 0, std::string (8, '\377'));
+  overwrite (".numbers", 0, std::string (8, '\377')); // how many numbers follow
   expectFailure (tiles, ".numbers: is damaged; remove its folder and run it again\n");
 }
 
 TEST_F (TilesRestart, NamesAFileOfLabelsWithoutAPlane)
 {
   stopOnceThereIs ("out/work/planes/planes.json", tiles);
-  overwrite (".labels", 4, std::string (4, '\177'));
+  overwrite (".labels", 4, std::string (4, '\177')); // the second label
   expectFailure (tiles, ".labels: is damaged; remove its folder and run it again\n");
 }
 
-TEST_F (TilesRestart, NamesAFileTooShortForAnIndexOfCells)
+TEST_F (TilesRestart, NamesAFileOfCellsTooShortForItsIndex)
 {
   stopOnceThereIs ("out/work/planes/planes.json", tiles);
   folder_.write ("out/work/cells/0.cells", "1234");

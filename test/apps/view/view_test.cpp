@@ -64,12 +64,14 @@ TEST (FoundPlanes, AreThoseOfEveryMethodInTheirColorsAndInWords)
     EXPECT_EQ (colorOfPoint (found, state, 0).rgba,
                colorOf (Orientation::Horizontal).rgba);
     state.selected = 1;
-    EXPECT_NE (colorOfPoint (found, state, in_the_air).rgba, colorOfLabel (0).rgba);
-    const std::string text = statusText (found, state, {0, 0, 10});
+    EXPECT_NE (colorOfPoint (found, state, in_the_air).rgba, colorOfLabel (0).rgba)
+        << "points off the selected plane";
+    const Eigen::Vector3d shift (0, 0, 10); // of the cloud
+    const std::string text = statusText (found, state, shift);
     for (const char* part : {"say which plane this is",
                              "10202 points\n",
                              "1 plane\nplane 1: horizontal, 10201 points, area 4.0",
-                             "1.0000 z",
+                             "1.0000 z", // the equation, in the frame of the file
                              "10.0000 = 0"})
       EXPECT_NE (text.find (part), std::string::npos) << part << " in " << text;
   }
