@@ -137,8 +137,8 @@ protected:
 };
 
 /** \brief OPS as in the paper, with enough samples for a small scene. */
-struct PublishedOps : Ops {
-  PublishedOps() : Ops (paperOn (nullptr)) {}
+struct OpsOfPaper : Ops {
+  OpsOfPaper() : Ops (paperOn (nullptr)) {}
 };
 
 /** \brief OPS on voxels, with enough samples for a small scene. */
@@ -147,7 +147,7 @@ struct OpsOnVoxels : Ops {
 };
 
 using Detectors = ::testing::Types<Ops,
-                                   PublishedOps,
+                                   OpsOfPaper,
                                    pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
                                    pcl_ops::KernelHoughTransform<pcl::PointXYZ>,
                                    OpsOnVoxels>;
@@ -318,7 +318,7 @@ TYPED_TEST (PlaneDetector, GivesCentroidRmsAndMomentsOfThePointsOfEachPlane)
     EXPECT_LT ((plane.centroid - points.rowwise().mean()).norm(), 1e-6);
     EXPECT_NEAR (
         plane.rms(), std::sqrt (distances_from_plane.array().square().mean()), 1e-6);
-    EXPECT_LT (plane.rms(), 1_cm) << "1 mm of noise, and points of the clutter";
+    EXPECT_LT (plane.rms(), 1_cm) << "1 mm of noise, but some clutter is on the plane";
     EXPECT_EQ (plane.moments.count, plane.inliers.size());
     const auto fit = fitPlane (plane.moments).value();
     EXPECT_LT (angleBetween (fit.plane.normal, plane.normal), 1e-6);
@@ -346,7 +346,7 @@ TYPED_TEST (PlaneDetector, FindsEverySurfaceOfOneCloudAfterAnother)
 {
   TypeParam detector;
   std::vector<PlaneSegment> planes;
-  EXPECT_FALSE (detector.segment (planes)) << "without a cloud first";
+  EXPECT_FALSE (detector.segment (planes)) << "there is no cloud yet";
   const LabeledScene small = Scene().floor (1.5, 1.5).spacing (2_cm).build();
   for (const LabeledScene& scene : {this->room, small, this->room}) {
     detector.setInputCloud (scene.cloud);

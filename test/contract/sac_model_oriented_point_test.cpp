@@ -41,7 +41,7 @@ struct CountingRansac : pcl::RandomSampleConsensus<pcl::PointNormal> {
 
 /** \brief p: probability that RANSAC draws a point of the plane. */
 constexpr double probability = 0.99;
-constexpr std::uint32_t seeds = 21;
+constexpr std::uint32_t seeds = 21; // odd, so that one of the runs is the median
 
 /** \brief Numbers of iterations of RANSAC with \ref probability on \ref cloudWithPlane,
  * one for each seed, ascending. */
@@ -130,7 +130,7 @@ TEST (OrientedPointModel, IsThePlaneThroughAPointPerpendicularToItsNormal)
   const Model model (cloud);
   Eigen::VectorXf coefficients;
   for (const pcl::Indices& sample : std::vector<pcl::Indices>{
-           {0}, {1}, {2}, {3}, {}, {valid, valid}}) // one is needed
+           {0}, {1}, {2}, {3}, {}, {valid, valid}}) // a sample is one point
     EXPECT_FALSE (model.computeModelCoefficients (sample, coefficients));
   ASSERT_TRUE (model.computeModelCoefficients ({valid}, coefficients));
   EXPECT_TRUE (coefficients.isApprox (Eigen::Vector4f (0, 0, 1, -3)));

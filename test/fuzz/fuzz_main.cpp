@@ -10,7 +10,7 @@
 extern "C" int
 LLVMFuzzerInitialize (int*, char***)
 {
-  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // hides errors of misuse
   return 0;
 }
 

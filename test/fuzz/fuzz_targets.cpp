@@ -94,8 +94,8 @@ otherValues ()
 }
 
 /** Sets parameters by one byte each. A byte below 128 keeps the value of a parameter;
- * 128 and above chooses a word, a flag, or one of \ref otherValues (of a direction, its
- * x). Three parameters take no byte and stay as they are. */
+ * 128 and above chooses a word, a flag, or one of \ref otherValues (for a direction,
+ * its x). Three parameters take no byte and stay as they are. */
 template <typename Parameters>
 void
 vary (ByteReader& bytes, Parameters& parameters)
@@ -196,7 +196,8 @@ addShape (ByteReader& bytes, Cloud& cloud)
 {
   Shape shape (bytes);
   if (shape.kind == Shape::FarPoint)
-    // Up to 6.4 * 10^38, above the largest number of single precision, 3.4 * 10^38.
+    // Up to 6.4 * 10^38 for the largest size, 5.12 m: above the largest number of
+    // single precision, 3.4 * 10^38.
     cloud.push_back (
         toPoint (std::pow (10.0, 38.0 * shape.size / 5.12) * shape.center));
   else if (shape.kind == Shape::NotFinite)
@@ -281,13 +282,14 @@ promiseOrderedPlanes (const Planes& planes, const Cloud& cloud)
     previous_size = plane.inliers.size();
     pcl::index_t previous_index = -1;
     for (const pcl::index_t index : plane.inliers) {
-      promise (index > previous_index, "indices ascend");
+      promise (index > previous_index, "the indices of a plane ascend");
       previous_index = index;
       promise (static_cast<std::size_t> (index) < cloud.size(),
-               "they are in the cloud");
+               "the indices of a plane are in the cloud");
       promise (!is_taken[index], "planes share no point");
       is_taken[index] = true;
-      promise (cloud[index].getVector3fMap().allFinite(), "their points are finite");
+      promise (cloud[index].getVector3fMap().allFinite(),
+               "the points of a plane are finite");
     }
   }
 }
@@ -298,9 +300,9 @@ promiseEqual (const Planes& one, const Planes& other)
 {
   promise (one.size() == other.size(), "a second call finds as many planes");
   for (std::size_t p = 0; p < one.size(); ++p) {
-    promise (one[p].inliers == other[p].inliers, "it finds the same points");
+    promise (one[p].inliers == other[p].inliers, "a second call finds the same points");
     promise (one[p].normal == other[p].normal && one[p].centroid == other[p].centroid,
-             "it finds the same planes");
+             "a second call finds the same planes");
   }
 }
 
@@ -331,8 +333,8 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
   detector.setParameters (parameters);
   Planes planes, again;
   const bool worked = detector.segment (planes);
-  promise (worked || planes.empty(), "misuse gives no planes");
-  promise (!worked || validate (parameters).empty(), "wrong parameters are misuse");
+  promise (worked || planes.empty(), "a call that fails gives no planes");
+  promise (!worked || validate (parameters).empty(), "wrong parameters are refused");
   promiseOrderedPlanes (planes, *cloud);
   if (indices)
     promiseGivenPoints (planes, *indices);

@@ -29,9 +29,9 @@ using Targets = std::map<std::string, void (*) (const Bytes&)>;
  *
  * - "pcd", "ply", "las", "ascii", "ptx", "kitti", "npy", "off" and "obj" load bytes as
  * a file. Loading must return a cloud that has points and consistent sizes, fail with
- * an error of one line, or run out of memory. Except for "pcd", "ply" and "las", the
- * cloud is saved and loaded again. A LAS that takes labels is saved with labels and
- * loaded again.
+ * an error of one line, or run out of memory. Except for "pcd" and "ply", the cloud is
+ * saved and must be the same when it is loaded again; a LAS with labels, if it takes
+ * them.
  * - "options" reads a command line argument from each line and detects planes in a
  * small cloud.
  * - The other targets detect planes by one method, with parameters and a cloud made

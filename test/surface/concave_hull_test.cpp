@@ -125,8 +125,9 @@ TEST (ConcaveHull, IsTheSameForAnyOrderOfThePoints)
   }
 }
 
-TEST (ConcaveHull, OfAnAlphaNextToZeroIsTheConvexOne)
+TEST (ConcaveHull, OfAnAlphaBelowAllDistancesIsTheConvexOne)
 {
+  // In all eight attempts the radius is below that of any triangle.
   const PlanarPoints l = gridOf (30, isInL);
   EXPECT_NEAR (areaOf (concaveHull (l, 1e-19)), areaOf (convexHull (l)), 1e-9);
 }

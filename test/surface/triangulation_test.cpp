@@ -9,7 +9,7 @@ using pcl_ops::PlanarPoints;
 
 namespace {
 
-/** \brief Total area of the triangles; fails if a triangle runs clockwise. */
+/** \brief Total area of the triangles of rings; fails if a triangle runs clockwise. */
 double
 areaOfTriangles (const pcl_ops::PlanarRings& rings)
 {
@@ -26,7 +26,7 @@ areaOfTriangles (const pcl_ops::PlanarRings& rings)
   return area;
 }
 
-const PlanarPoints square_of_three = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
+const PlanarPoints square_of_3_m = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
 
 } // namespace
 
@@ -61,8 +61,8 @@ TEST (Triangulation, OfRingsWithoutAreaHasNoTriangles)
 
 TEST (Triangulation, CoversNoneOfManyHoles)
 {
-  constexpr double hole_edge = 0.2;
-  pcl_ops::PlanarRings sieve = {square_of_three};
+  constexpr double hole_edge = 0.2; // [m]
+  pcl_ops::PlanarRings sieve = {square_of_3_m};
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 5; ++y) {
       const double min_x = 0.2 + 0.6 * x;
@@ -77,7 +77,7 @@ TEST (Triangulation, CoversNoneOfManyHoles)
 
 TEST (Triangulation, IgnoresAHoleWithoutCornersAndIsEmptyIfTheOuterRingIs)
 {
-  const auto without_hole = pcl_ops::triangulate ({square_of_three});
-  EXPECT_EQ (pcl_ops::triangulate ({square_of_three, {}}), without_hole);
-  EXPECT_TRUE (pcl_ops::triangulate ({{}, square_of_three}).empty());
+  const auto without_hole = pcl_ops::triangulate ({square_of_3_m});
+  EXPECT_EQ (pcl_ops::triangulate ({square_of_3_m, {}}), without_hole);
+  EXPECT_TRUE (pcl_ops::triangulate ({{}, square_of_3_m}).empty());
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "apps/support/text.h"
 #include "scene.h"
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/result_warnings.h>
@@ -82,14 +83,6 @@ struct LabeledPlaneScene {
   }
 };
 
-/** \brief Whether a text has a part; a failure shows the text. */
-testing::AssertionResult
-contains (const std::string& text, const std::string& part)
-{
-  return testing::AssertionResult (text.find (part) != std::string::npos)
-         << "the text: " << text;
-}
-
 const Surface floor_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
 const Surface wall_of_room = {{0, 3, 0}, {4, 0, 0}, {0, 0, 2.5}};
 
@@ -109,7 +102,7 @@ squareOf100m (double x = 0.0)
   return {{x, 0, 0}, {100, 0, 0}, {0, 100, 0}};
 }
 
-/** \brief A hill of 100 m x 100 m, all of it on one plane.
+/** \brief What is like a hill of 100 m x 100 m that was taken for one plane.
  * \param[in] rms distance of the points to the plane [m]
  * \param[in] noise of the points around the plane [m] */
 LabeledPlaneScene
@@ -219,7 +212,9 @@ TEST (ResultWarnings, TellRmsAndNoiseOfTheLargestThickPlane)
   }
   ASSERT_EQ (hills.codes(), "thick-planes");
   const std::string text = hills.firstText();
-  // The noise is a tenth of the rms.
+  const std::string before_rms = "(rms ";
+  const std::size_t rms = text.find (before_rms) + before_rms.size();
+  EXPECT_NEAR (std::stod (text.substr (rms)), 1_m, 10_cm) << text;
   EXPECT_TRUE (contains (text, "noise 0.1 of the largest"));
 }
 
@@ -329,8 +324,8 @@ TEST (ResultWarnings, SayThatLabelsAreMixedPointByPoint)
 {
   LabeledPlaneScene wall;
   wall.add (wall_of_room, 2500, 5_mm);
-  Surface wall_behind = wall_of_room; // nearer than the noise
-  wall_behind.corner.y() += 2_mm;
+  Surface wall_behind = wall_of_room;
+  wall_behind.corner.y() += 2_mm; // less than the noise
   wall.add (wall_behind, 2500, 5_mm);
   ASSERT_EQ (wall.codes(), "mixed-labels");
   const std::string text = wall.firstText();
@@ -478,6 +473,8 @@ TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
   room.add ({{0, 3000, 0}, {4000, 0, 0}, {0, 0, 2500}}, 2500, 2.0);
   ASSERT_EQ (room.codes(), "millimeters");
   const std::string text = room.firstText();
+  // Without the 1 % of points with the least coordinates along an axis, and the 1 %
+  // with the largest ones.
   EXPECT_TRUE (contains (text, "3900 x 2900 x 2400 wide"));
   EXPECT_TRUE (contains (text, "; give --meter 1000"));
   ResultContext context;
@@ -672,8 +669,9 @@ TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
       std::string::npos);
 }
 
-TEST (ResultWarnings, AreTheThreeMostImportant)
+TEST (ResultWarnings, AreTheThreeMostImportantUnlessMoreAreRequested)
 {
+  // A thick plane in millimeters.
   LabeledPlaneScene wall;
   wall.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 200.0);
   wall.planes[0].noise = 2.0;

@@ -45,7 +45,7 @@ struct DetectCall {
 
 } // namespace
 
-TEST (CommandLine, TakesOptionsWithOneOrTwoDashesWithAnEqualsSignAndAbbreviated)
+TEST (CommandLine, TakesOptionsWithOneDashOrTwoAnEqualsSignOrAnAbbreviatedName)
 {
   for (const Arguments& arguments : {Arguments{"in.pcd", "-threshold", "0.02"},
                                      Arguments{"in.pcd", "--threshold", "0.02"},
@@ -53,7 +53,7 @@ TEST (CommandLine, TakesOptionsWithOneOrTwoDashesWithAnEqualsSignAndAbbreviated)
                                      Arguments{"--threshold=0.02", "in.pcd"},
                                      Arguments{"--thresh=0.02", "--", "in.pcd"}}) {
     const DetectCall call (arguments);
-    EXPECT_EQ (call.complaint, "");
+    EXPECT_EQ (call.complaint, "") << arguments[0];
     EXPECT_EQ (call.threshold, 0.02) << arguments[0];
     EXPECT_EQ (call.input, "in.pcd") << arguments[0];
   }
@@ -82,7 +82,7 @@ TEST (CommandLine, StoresEachValueOfAnOptionThatMayBeRepeated)
   EXPECT_EQ (joined, "ab");
 }
 
-TEST (CommandLine, TakesTheFormerNameOfAnOptionForTheOptionAndDoesNotListIt)
+TEST (CommandLine, TakesTheFormerNameOfAnOptionAndDoesNotListIt)
 {
   double size = 0.0;
   CommandLine line ("detect", "Detects.", "1.2.3");
@@ -101,14 +101,14 @@ TEST (CommandLine, TakesNegativeNumbersAndTheCameraForUp)
   EXPECT_EQ (DetectCall ({"in.pcd", "--up", "camera"}).up, Eigen::Vector3f (0, -1, 0));
 }
 
-TEST (CommandLine, PrintsHelpOrVersionAndEndsTheProgram)
+TEST (CommandLine, PrintsHelpOrVersionAfterWhichTheProgramIsToEnd)
 {
   for (const char* question : {"--help", "-help", "-h", "--version"}) {
     testing::internal::CaptureStdout();
     const DetectCall call ({question});
-    EXPECT_EQ (call.complaint, "");
-    EXPECT_FALSE (testing::internal::GetCapturedStdout().empty());
-    EXPECT_FALSE (call.proceeds);
+    EXPECT_EQ (call.complaint, "") << question;
+    EXPECT_FALSE (testing::internal::GetCapturedStdout().empty()) << question;
+    EXPECT_FALSE (call.proceeds) << question;
   }
 }
 

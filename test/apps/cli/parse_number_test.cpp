@@ -10,10 +10,11 @@
 
 using namespace pcl_ops::apps;
 
-TEST (ParseNumber, TakesAllWholeNumbersOfItsTypeAndNoLargerOnes)
+TEST (ParseNumber, TakesWholeNumbersThatItsTypeCanHaveAndNoLargerOnes)
 {
   EXPECT_EQ (parseNumber<std::size_t> ("n", "9223372036854775808", from (1)),
-             9223372036854775808U);
+             9223372036854775808U)
+      << "2^63, above the largest signed number";
   EXPECT_EQ (parseNumber<std::uint32_t> ("n", "4294967295", from (1)),
              std::numeric_limits<std::uint32_t>::max());
   EXPECT_EQ (parseNumber<int> ("n", "-2147483648", Range()),

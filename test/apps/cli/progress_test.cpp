@@ -15,7 +15,7 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief Shortest time from one line to the next; no test takes as long. */
+// Shortest times from one line to the next. No test lasts as long as the first.
 constexpr std::chrono::milliseconds longer_than_a_test = std::chrono::seconds (10);
 constexpr std::chrono::milliseconds no_time{0};
 /** \brief The characters that erase the current line of a terminal. */

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+// Tests that pcl_ops::surface can be linked and run.
 int
 main ()
 {
