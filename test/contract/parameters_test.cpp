@@ -83,6 +83,7 @@ template <typename Parameters>
 void
 expectTakenAndRefused (const std::vector<Row>& rows, const Parameters& valid)
 {
+  EXPECT_FALSE (rows.empty());
   EXPECT_EQ (validate (valid), "");
   for (const Row& row : rows) {
     SCOPED_TRACE (row.name);

@@ -191,10 +191,10 @@ protected:
     int write = 1;
     for (; write < max_writes; ++write) {
       SCOPED_TRACE (failure + std::to_string (write));
-      const Outcome ending = runFailing (failure + std::to_string (write));
-      if (ending.exit_code == 0)
+      const Outcome done = runFailing (failure + std::to_string (write));
+      if (done.exit_code == 0)
         break;
-      expect (ending);
+      expect (done);
       if (HasFailure())
         return;
     }
@@ -222,16 +222,16 @@ INSTANTIATE_TEST_SUITE_P (All,
 
 TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsReportedAndHarmsNothing)
 {
-  expectAtEveryWrite ("FULL_AT_WRITE=", [this] (const Outcome& ending) {
-    expectReportedWithoutHarm (ending, output_);
+  expectAtEveryWrite ("FULL_AT_WRITE=", [this] (const Outcome& done) {
+    expectReportedWithoutHarm (done, output_);
     resetOutputs(); // else the next run of many files would resume this one
   });
 }
 
 TEST_P (Failures, ARunKilledAtAnyWriteLeavesTheKeptFileAndALaterRunReplacesIt)
 {
-  expectAtEveryWrite ("KILLED_AT_WRITE=", [this] (const Outcome& ending) {
-    EXPECT_EQ (ending.exit_code, exit_code_if_killed) << ending.err;
+  expectAtEveryWrite ("KILLED_AT_WRITE=", [this] (const Outcome& done) {
+    EXPECT_EQ (done.exit_code, exit_code_if_killed) << done.err;
     EXPECT_TRUE (isKeptFileAsBefore());
   });
   EXPECT_FALSE (isKeptFileAsBefore()) << "the last run succeeded";
@@ -246,16 +246,16 @@ TEST_P (Failures, ANameThatIsTooLongIsReportedAndTheLongestPossibleOneIsTaken)
 {
   constexpr std::size_t longest = 255; // name that Linux takes
   const std::string name = nameOfLength (longest + 1);
-  const Outcome ending = runFailing ("", "", name);
-  expectReportedWithoutHarm (ending, name);
-  EXPECT_TRUE (contains (ending.err, "too long"));
+  const Outcome done = runFailing ("", "", name);
+  expectReportedWithoutHarm (done, name);
+  EXPECT_TRUE (contains (done.err, "too long"));
   EXPECT_EQ (runFailing ("", "", nameOfLength (longest)).exit_code, 0);
 }
 
 TEST_P (Failures, AnEmptyNameIsWrongUsage)
 {
   constexpr int wrong_usage = 2;
-  expectReportedWithoutHarm (runFailing ("", "", ""), "", wrong_usage);
+  expectReportedWithoutHarm (runFailing ("", "", ""), "is empty", wrong_usage);
 }
 
 TEST_P (Failures, TooLittleMemoryIsReportedAndHarmsNothing)
@@ -265,8 +265,8 @@ TEST_P (Failures, TooLittleMemoryIsReportedAndHarmsNothing)
 
 TEST_P (Failures, ARunThatCanStartNoThreadSucceeds)
 {
-  const Outcome ending = runFailing ("THREADS_TO_START=0");
-  EXPECT_EQ (ending.exit_code, 0) << ending.err;
+  const Outcome done = runFailing ("THREADS_TO_START=0");
+  EXPECT_EQ (done.exit_code, 0) << done.err;
   EXPECT_FALSE (isKeptFileAsBefore());
 }
 

@@ -203,6 +203,8 @@ class Data(Page):
 
     def test_has_the_planes_of_the_list_with_their_points(self):
         groups = json.loads(part_of(self.page, "groups"))
+        self.assertGreater(len(self.planes), 0)
+        self.assertEqual(len(self.description["planes"]), len(self.planes))
         self.assertEqual(len(groups), len(self.planes) + 1)  # the last one: points on no plane
         for plane, shown, group in zip(self.planes, self.description["planes"], groups):
             self.assertEqual(plane, {name: shown[name] for name in plane})
@@ -229,6 +231,8 @@ class Data(Page):
         description = json.loads(part_of(page, "description"))
         found = json.loads((self.folder / "out" / "planes.json").read_text())
         groups = json.loads(part_of(page, "groups"))
+        self.assertGreater(len(found["planes"]), 0)
+        self.assertEqual(len(description["planes"]), len(found["planes"]))
         self.assertEqual(len(groups), len(found["planes"]) + 1)
         for shown, plane, group in zip(description["planes"], found["planes"], groups):
             del shown["color"]

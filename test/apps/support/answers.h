@@ -12,6 +12,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 /** A row of a table: a command (empty: that of the row above), where to look after it,
  * and what has to be there. */
@@ -31,11 +32,14 @@ struct Answers {
   }
 };
 
-/** Reads a table in the format that segment/answers.tsv describes. */
+/** Reads a table in the format that segment/answers.tsv describes. Without it there
+ * would be no tests. \throws std::runtime_error if the file cannot be read */
 inline std::vector<Answers>
 answersIn (const std::string& file)
 {
   std::ifstream stream (file);
+  if (!stream)
+    throw std::runtime_error (file + ": cannot be read");
   std::vector<Answers> all;
   for (std::string line; std::getline (stream, line);) {
     if (line.substr (0, 3) == "## ")

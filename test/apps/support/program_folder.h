@@ -16,6 +16,7 @@
 
 /** \brief How a command ended, and what it wrote to its standard output and error. */
 struct Outcome {
+  /** \brief 128 plus its number if a signal ended the command. */
   int exit_code;
   std::string out, err;
 };
@@ -36,7 +37,7 @@ protected:
                              folder_.path() + "' && { " + commands + "\n} >'" +
                              streams_ / "out" + "' 2>'" + streams_ / "err" + "'";
     const int status = std::system (line.c_str());
-    return {WEXITSTATUS (status),
+    return {WIFSIGNALED (status) ? 128 + WTERMSIG (status) : WEXITSTATUS (status),
             contentOf (streams_ / "out"),
             contentOf (streams_ / "err")};
   }

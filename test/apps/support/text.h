@@ -43,11 +43,14 @@ complaintOf (const std::function<void()>& work)
 }
 
 /** \brief Rows of a file of tab-separated columns, without comments (#) and empty
- * lines. A row may have fewer columns than others. */
+ * lines. A row may have fewer columns than others.
+ * \throws std::runtime_error if the file cannot be read */
 inline std::vector<std::vector<std::string>>
 tableIn (const std::string& file)
 {
   std::ifstream stream (file);
+  if (!stream)
+    throw std::runtime_error (file + ": cannot be read");
   std::vector<std::vector<std::string>> rows;
   for (std::string line; std::getline (stream, line);) {
     if (line.empty() || line[0] == '#')

@@ -23,10 +23,10 @@ struct FloorRun {
   explicit FloorRun (double edge_of_tile)
   : run{folder / "out"}
   , input (folder.write ("floor.xyz", floor()))
-  , plan (makePlan ({input}, {0.5, edge_of_tile}))
+  , plan (makePlan ({input}, {voxel_size, edge_of_tile}))
   {
     run.makeFolders();
-    partitionInput (plan, run, 0);
+    partitionInput (plan, run, 0); // there is one input, 0
     measureSurvey (plan, run, SortedPoints (plan, run));
     detect();
     join();
@@ -83,6 +83,7 @@ struct FloorRun {
     return files;
   }
 
+  static constexpr double voxel_size = 0.5; // [m]
   TemporaryFolder folder;
   RunFolder run;
   std::string input;
@@ -120,13 +121,15 @@ TEST (Phases, RefuseAFileOfTheirsInWhichABitChanged)
     const std::string file = extension == ".json" ? floor.run.work (run_file::list)
                                                   : floor.filesWith (extension).at (0);
     const std::string right = contentOf (file);
-    for (const std::size_t place : FloorRun::offsetsIn (file)) {
+    const std::vector<std::size_t> offsets = FloorRun::offsetsIn (file);
+    ASSERT_FALSE (offsets.empty()) << file;
+    for (const std::size_t offset : offsets) {
       std::string damaged = right;
-      damaged[place] ^= 1;
+      damaged.at (offset) ^= 1;
       std::ofstream (file, std::ios::binary) << damaged;
       EXPECT_EQ (complaintOf (read),
                  file + ": is damaged; remove its folder and run it again")
-          << place;
+          << offset;
     }
     std::ofstream (file, std::ios::binary) << right;
     read();
