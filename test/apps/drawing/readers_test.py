@@ -92,7 +92,8 @@ def present(properties):
 
 def properties_of(features, layer):
     """The properties of the features of a plan that are on a layer."""
-    return [feature["properties"] for feature in features if feature["properties"]["layer"] == layer]
+    return [feature["properties"] for feature in features
+            if feature["properties"]["layer"] == layer]
 
 
 class SimulatedRoom(unittest.TestCase):
@@ -105,8 +106,8 @@ class SimulatedRoom(unittest.TestCase):
         # A room of 6.194 m x 5.779 m x 2.856 m with a door 0.90 m and a window 1.21 m wide.
         output_of(cls.folder, PROGRAMS / "pcl_ops_simulate", "room.pcd", "--seed", "402",
                   "--points", "300000", "--quiet")
-        for outputs in (("--floor-plan", "plan.dxf", "--edges", "edges.dxf", "--planes", "map.geojson",
-                         "--mesh", "mesh.obj"),
+        for outputs in (("--floor-plan", "plan.dxf", "--edges", "edges.dxf",
+                         "--planes", "map.geojson", "--mesh", "mesh.obj"),
                         ("--floor-plan", "plan.geojson", "--edges", "edges.geojson"),
                         ("--floor-plan", "plan.svg")):
             output_of(cls.folder, PROGRAMS / "pcl_ops_segment", "room.pcd", "--quiet", *outputs)
@@ -256,8 +257,8 @@ class TwoRooms(unittest.TestCase):
         cls.folder = pathlib.Path(cls.temporary.name)
         write_two_rooms(cls.folder / "flat.xyz")
         for plan in ("plan.geojson", "plan.svg", "plan.dxf"):
-            output_of(cls.folder, PROGRAMS / "pcl_ops_segment", "flat.xyz", "--quiet", "--floor-plan",
-                      plan)
+            output_of(cls.folder, PROGRAMS / "pcl_ops_segment", "flat.xyz", "--quiet",
+                      "--floor-plan", plan)
         cls.features = json.loads((cls.folder / "plan.geojson").read_text())["features"]
 
     @classmethod

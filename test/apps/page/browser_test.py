@@ -444,7 +444,8 @@ class Browser(Page):
           const cameras = [{...camera}];
           const noteCamera = () => cameras.push({...camera});
           const send = (kind, x, y, changed) => canvas.dispatchEvent(new PointerEvent(kind,
-            {clientX: x, clientY: y, pointerId: 1, buttons: 1, button: 0, bubbles: true, ...changed}));
+            {clientX: x, clientY: y, pointerId: 1, buttons: 1, button: 0, bubbles: true,
+              ...changed}));
           send('pointerdown', 200, 200);  // dragged by the left button
           send('pointermove', 260, 200);
           send('pointerup', 260, 200);

@@ -10,7 +10,7 @@ class View : public ProgramFolder {
 protected:
   View() : ProgramFolder (PCL_OPS_VIEW_PROGRAM)
   {
-    // A floor of 2 m x 2 m and a wall at x = 2 m.
+    // A floor of 2 m x 2 m and a wall at x = 2 m, of points 4 cm apart.
     constexpr int steps = 50;
     std::ostringstream text;
     for (int i = 0; i < steps * steps; ++i) {
@@ -38,7 +38,7 @@ protected:
 
 } // namespace
 
-TEST_F (View, WritesScreenshotsAsAsked)
+TEST_F (View, WritesScreenshotsOfTheWindowAndKeepsTheOldOneIfTheDiskIsFull)
 {
 #ifdef PCL_OPS_SANITIZED
   GTEST_SKIP() << "graphics drivers are not made for sanitizers";
@@ -54,8 +54,10 @@ TEST_F (View, WritesScreenshotsAsAsked)
   const std::string png = contentOf (folder_ / "a.png");
   ASSERT_GT (png.size(), 24u);
   EXPECT_EQ (png.substr (1, 3), "PNG");
+  // Width and height are behind the signature and the head of the first chunk.
+  constexpr std::size_t offset_of_size = 16;
   const std::string size_of_1280_x_960 ("\0\0\5\0\0\0\3\xC0", 8);
-  EXPECT_EQ (png.substr (16, 8), size_of_1280_x_960);
+  EXPECT_EQ (png.substr (offset_of_size, 8), size_of_1280_x_960);
   EXPECT_EQ (screenshot ("--color orientations --screenshot b.png").exit_code, 0);
   const std::string by_orientation = contentOf (folder_ / "b.png");
   ASSERT_GT (by_orientation.size(), 24u);
@@ -69,7 +71,7 @@ TEST_F (View, WritesScreenshotsAsAsked)
 #endif
 }
 
-TEST_F (View, WritesThePageOfTheOtherProgramWithoutADisplay)
+TEST_F (View, WritesThePageThatPclOpsSegmentWritesWithoutADisplay)
 {
   const Outcome done =
       shell ("pcl_ops_segment in.xyz --method kht --quiet --view a.html && "

@@ -13,6 +13,6 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror")
 run(${CMAKE_COMMAND} --build ${BUILD} --parallel 2)
 run(${PREFIX}/bin/pcl_ops_simulate ${ROOM} --organized --quiet)
-# The file of a KITTI scan is binary points of four numbers of four bytes each, without a header. The
-# points of room.pcd are of that form: removing the header makes such a file.
+# A scan of KITTI has points of four floats in binary, without a header. The points of room.pcd are
+# of that form, so that it becomes such a scan without its header.
 run(sh -c "LC_ALL=C sed '1,/^DATA binary/d' ${ROOM} > ${BUILD}/room.bin")
