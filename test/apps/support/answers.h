@@ -119,10 +119,12 @@ protected:
   std::string
   textAt (const std::string& where) const
   {
-    const bool is_printed = where.empty() || where == "out";
-    return is_printed       ? last_outcome_.out
-           : where == "err" ? last_outcome_.err
-                            : contentOf (folder_ / where);
+    if (where.empty() || where == "out")
+      return last_outcome_.out;
+    if (where == "err")
+      return last_outcome_.err;
+    EXPECT_TRUE (std::filesystem::exists (folder_ / where)) << "no such file";
+    return contentOf (folder_ / where);
   }
 
   /** A JSON value in an output of the last command.
@@ -204,7 +206,8 @@ protected:
         is_all     ? text == part
         : is_begin ? text.rfind (part, 0) == 0 && (where != "err" || lines (text) == 1)
                    : text.find (part) != std::string::npos;
-    EXPECT_NE (is_as_expected, is_absent) << "the text: " << text;
+    EXPECT_NE (is_as_expected, is_absent)
+        << "expected: " << expected << "\nthe text: " << text;
   }
 
   /** Runs the commands of the section and checks their outputs. A command is run once

@@ -13,6 +13,6 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror")
 run(${CMAKE_COMMAND} --build ${BUILD} --parallel 2)
 run(${PREFIX}/bin/pcl_ops_simulate ${ROOM} --organized --quiet)
-# A scan of KITTI has points of four floats in binary, without a header. The points of room.pcd are
-# of that form, so that it becomes such a scan without its header.
+# A scan of KITTI has points of four numbers of four bytes, x, y, z and intensity, without a header.
+# Without its header room.pcd passes for one: its labels are where a scan has intensities.
 run(sh -c "LC_ALL=C sed '1,/^DATA binary/d' ${ROOM} > ${BUILD}/room.bin")
