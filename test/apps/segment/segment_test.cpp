@@ -280,8 +280,7 @@ protected:
   }
 };
 
-/** \brief Points and faces of a mesh. */
-struct Drawing {
+struct Mesh {
   std::vector<Eigen::Vector3d> points;
   /** \brief The corners of each face. */
   std::vector<std::vector<std::size_t>> faces;
@@ -301,25 +300,26 @@ struct Drawing {
   }
 };
 
-/** \brief Reads a .ply or .vtk in text without the code that wrote it. */
-Drawing
-readDrawing (const std::string& text)
+/** \brief Reads a .ply or .vtk in text without the code that wrote it: each line of
+ * numbers alone is a point, and behind the last point a face. */
+Mesh
+readMesh (const std::string& text)
 {
   std::smatch points;
   std::regex_search (text, points, std::regex ("(?:element vertex|POINTS) ([0-9]+)"));
   // In a .vtk, colors follow behind POINT_DATA.
   std::istringstream stream (text.substr (0, text.find ("POINT_DATA")));
-  Drawing drawing;
+  Mesh mesh;
   for (std::string line; std::getline (stream, line);) {
     if (line.find_first_not_of ("0123456789.e+- ") < line.size())
       continue;
     const std::vector<double> numbers = numbersIn (line);
-    if (drawing.points.size() < std::stoul (points[1]))
-      drawing.points.emplace_back (numbers.at (0), numbers.at (1), numbers.at (2));
-    else
-      drawing.faces.emplace_back (numbers.begin() + 1, numbers.end());
+    if (mesh.points.size() < std::stoul (points[1]))
+      mesh.points.emplace_back (numbers.at (0), numbers.at (1), numbers.at (2));
+    else // the number of corners, and their indices
+      mesh.faces.emplace_back (numbers.begin() + 1, numbers.end());
   }
-  return drawing;
+  return mesh;
 }
 
 constexpr bool has_concave_hulls = PCL_OPS_WITH_SURFACE != 0;
@@ -370,18 +370,18 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
   const Eigen::Isometry3d pose =
       Eigen::Translation3d (posed.sensor_origin_.head<3>().cast<double>()) *
       posed.sensor_orientation_.cast<double>();
-  for (const auto& [cloud, mesh, moved] :
+  for (const auto& [cloud, file, motion] :
        {std::tuple ("posed.pcd", "m.ply", not_moved),
         std::tuple ("posed.pcd", "m.vtk", pose),
         std::tuple ("utm.las", "m.ply", not_moved),
         std::tuple ("utm.las", "m.vtk", not_moved),
         std::tuple ("wall.pcd", "m.ply", not_moved)}) {
-    SCOPED_TRACE (cloud + std::string (" ") + mesh);
+    SCOPED_TRACE (cloud + std::string (" ") + file);
     const auto json = nlohmann::json::parse (
-        expectDone (cloud + concave + " --planes - --mesh " + mesh).out);
+        expectDone (cloud + concave + " --planes - --mesh " + file).out);
     ASSERT_FALSE (json["planes"].empty());
-    const Drawing drawing = readDrawing (contentOf (folder_ / mesh));
-    EXPECT_GE (drawing.faces.size(), json["planes"].size());
+    const Mesh mesh = readMesh (contentOf (folder_ / file));
+    EXPECT_GE (mesh.faces.size(), json["planes"].size());
     double area = 0.0;
     std::size_t i = 0;
     for (nlohmann::json plane : json["planes"]) {
@@ -390,11 +390,11 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
       for (const nlohmann::json& ring : plane["holes"])
         for (const nlohmann::json& corner : ring)
           EXPECT_LT (
-              (drawing.points.at (i++) - moved * corner.get<Eigen::Vector3d>()).norm(),
+              (mesh.points.at (i++) - motion * corner.get<Eigen::Vector3d>()).norm(),
               1e-5);
     }
-    EXPECT_EQ (i, drawing.points.size());
-    EXPECT_NEAR (drawing.area(), area, 1e-3) << "no face in the window";
+    EXPECT_EQ (i, mesh.points.size());
+    EXPECT_NEAR (mesh.area(), area, 1e-3) << "no face in the window";
   }
 }
 
