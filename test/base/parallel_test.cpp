@@ -33,13 +33,13 @@ constexpr bool has_thread_sanitizer = false;
 using Piece = std::pair<std::size_t, std::size_t>;
 
 /** \brief The pieces that parallelFor makes of \p size items, in ascending order.
- * \param[in] grain number of items of a piece */
+ * \param[in] piece_size items per piece */
 std::vector<Piece>
-piecesOf (unsigned threads, std::size_t size, std::size_t grain)
+piecesOf (unsigned threads, std::size_t size, std::size_t piece_size)
 {
-  std::vector<Piece> pieces (size);
+  std::vector<Piece> pieces (size); // at most one for each item
   std::atomic<std::size_t> calls{0};
-  parallelFor (threads, size, grain, [&] (std::size_t begin, std::size_t end) {
+  parallelFor (threads, size, piece_size, [&] (std::size_t begin, std::size_t end) {
     pieces[calls++] = {begin, end};
   });
   pieces.resize (calls);
@@ -51,16 +51,16 @@ piecesOf (unsigned threads, std::size_t size, std::size_t grain)
 
 TEST (ParallelFor, CoversEveryItemOnce)
 {
-  constexpr std::size_t grain = 4;
+  constexpr std::size_t piece_size = 4;
   const std::vector<Piece> expected{{0, 4}, {4, 8}, {8, 10}};
   for (const unsigned threads : {0u, 1u, 2u, 4u})
-    EXPECT_EQ (piecesOf (threads, 10, grain), expected) << threads << " threads";
-  EXPECT_TRUE (piecesOf (2, 0, grain).empty()) << "of no items";
+    EXPECT_EQ (piecesOf (threads, 10, piece_size), expected) << threads << " threads";
+  EXPECT_TRUE (piecesOf (2, 0, piece_size).empty()) << "of no items";
 }
 
 TEST (ParallelFor, RunsOnAllThreadsAtOnceIfTheyAreFree)
 {
-  constexpr unsigned threads = 6; // more than other tests need, so that some start
+  constexpr unsigned threads = 6; // more than the test before, so that some start
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds (30);
   std::atomic<unsigned> arrived{0}, threads_that_met_all{0};
   parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {
@@ -108,11 +108,12 @@ TEST (ParallelFor, TakesMoreThreadsThanAMachineHas)
 TEST (ParallelFor, DoesNotWaitForThreadsThatAreBusy)
 {
   // All workers wait until the test is over, as on a machine with other programs.
-  constexpr unsigned threads = 4;
+  // parallelFor has 256 threads at most, so that no test before started more workers.
+  constexpr std::size_t all_workers = 256;
   std::promise<void> all_done;
   const std::shared_future<void> end_of_test = all_done.get_future().share();
-  callOnWorkers (threads, [end_of_test] { end_of_test.wait(); });
-  EXPECT_EQ (piecesOf (threads, 1000, 1).size(), 1000u);
+  callOnWorkers (all_workers, [end_of_test] { end_of_test.wait(); });
+  EXPECT_EQ (piecesOf (4, 1000, 1).size(), 1000u);
   all_done.set_value();
 }
 

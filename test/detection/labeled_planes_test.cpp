@@ -10,13 +10,24 @@ namespace {
 
 constexpr unsigned two_threads = 2;
 
-/** \brief All points of a cloud, seen from zero, for a detector that is given no
- * search. */
+/** \brief All points of a cloud, seen from zero, without a search of the user. */
 DetectorInput
 inputOf (const pcl::PointCloud<pcl::PointXYZ>& cloud)
 {
   const pcl::Indices* const all_points = nullptr;
   return {CloudView (cloud), all_points, Eigen::Vector3d::Zero(), nullptr};
+}
+
+/** \brief The planes of these labels, as a detector returns them that merges none.
+ * \param[in] planes number of labels other than no_plane */
+LabeledPlanes
+unmerged (const Points& points, const Labels& labels, std::size_t planes)
+{
+  MergingParameters keep_apart;
+  keep_apart.enabled = false;
+  return mergePlanesOf ({labels, momentsOfLabels (points, labels, planes, one_thread)},
+                        keep_apart,
+                        one_thread);
 }
 
 } // namespace
@@ -80,12 +91,7 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
     Labels labels;
     for (std::size_t i = 0; i < points.size(); ++i)
       labels.push_back (points.origin.z() + points.z[i] < 0.0 ? 0 : 1);
-    MergingParameters keep_apart;
-    keep_apart.enabled = false;
-    LabeledPlanes found =
-        mergePlanesOf ({labels, momentsOfLabels (points, labels, 2, one_thread)},
-                       keep_apart,
-                       one_thread);
+    LabeledPlanes found = unmerged (points, labels, 2);
     found.noises = {1_mm, 2_cm}; // of floor and ceiling
     return found;
   };
@@ -104,10 +110,11 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
   EXPECT_EQ (planes[1].inliers, pcl::Indices (floor_begin, floor_begin + on_floor));
 }
 
-TEST (DetectInFinitePoints, TellsBelowAndAboveByTheChosenPointsAlone)
+TEST (DetectInFinitePoints, TellsByTheChosenPointsAloneWhetherZeroIsTheSensor)
 {
-  // The sensor at zero sees the ceiling and the floor of a room, but not the floors and
-  // ceilings of other stories: it is no sensor of the whole building.
+  // A sensor at zero sees the ceiling and the floor of a room, but not the floors and
+  // ceilings of other stories: for the whole building zero is no sensor, and normals
+  // are turned up.
   pcl::PointCloud<pcl::PointXYZ> cloud;
   const auto addLevel = [&cloud] (float z, int half_width) {
     for (int x = -half_width; x <= half_width; ++x)
@@ -115,7 +122,7 @@ TEST (DetectInFinitePoints, TellsBelowAndAboveByTheChosenPointsAlone)
         cloud.push_back (
             {0.1f * static_cast<float> (x), 0.1f * static_cast<float> (y), z});
   };
-  addLevel (1.2f, 40); // 4 m to each side
+  addLevel (1.2f, 40); // the ceiling, 4 m to each side
   addLevel (-1.5f, 40);
   const auto of_room = upTo<pcl::Indices> (cloud.size());
   for (const float z : {-4.5f, -3.0f, 3.0f, 4.5f})
@@ -126,42 +133,36 @@ TEST (DetectInFinitePoints, TellsBelowAndAboveByTheChosenPointsAlone)
       for (std::size_t i = 0; i < points.size(); ++i)
         labels.push_back (
             std::abs (points.origin.z() + points.z[i] - 1.2) < 0.1 ? 0 : no_plane);
-      MergingParameters keep_apart;
-      keep_apart.enabled = false;
-      return mergePlanesOf ({labels, momentsOfLabels (points, labels, 1, one_thread)},
-                            keep_apart,
-                            one_thread);
+      return unmerged (points, labels, 1);
     };
     return detectInFinitePoints (input, PlaneDetectorParameters(), detect)
         .planes.at (0)
         .normal;
   };
   DetectorInput input = inputOf (cloud);
-  EXPECT_NEAR (ceilingNormal (input).z(), 1.0, 1e-9) << "the sensor is not known";
+  EXPECT_NEAR (ceilingNormal (input).z(), 1.0, 1e-9) << "of the building";
   input.indices = &of_room;
-  EXPECT_NEAR (ceilingNormal (input).z(), -1.0, 1e-9);
+  EXPECT_NEAR (ceilingNormal (input).z(), -1.0, 1e-9) << "towards the sensor";
 }
 
 TEST (DetectInFinitePoints, TakesAViewpointOfNaNForAnUnknownOne)
 {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < 100; ++i)
-    cloud.push_back ({static_cast<float> (i % 10), static_cast<float> (i / 10), -1.0f});
   const auto detect = [] (const Points& points, auto&) {
-    const Labels labels (points.size(), 0);
-    MergingParameters keep_apart;
-    keep_apart.enabled = false;
-    return mergePlanesOf ({labels, momentsOfLabels (points, labels, 1, one_thread)},
-                          keep_apart,
-                          one_thread);
+    return unmerged (points, Labels (points.size(), 0), 1);
   };
-  DetectorInput input = inputOf (cloud);
-  for (const double z : {0.0, double (NAN)}) {
-    input.viewpoint.z() = z;
-    const auto planes =
-        detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes;
-    ASSERT_EQ (planes.size(), 1u);
-    EXPECT_NEAR (planes[0].normal.z(), 1.0, 1e-9);
+  for (const float height : {-1.0f, 1.0f}) { // of a floor and of a ceiling
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (int i = 0; i < 100; ++i)
+      cloud.push_back (
+          {static_cast<float> (i % 10), static_cast<float> (i / 10), height});
+    DetectorInput input = inputOf (cloud);
+    for (const double z : {0.0, double (NAN)}) {
+      input.viewpoint.z() = z;
+      const auto planes =
+          detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes;
+      ASSERT_EQ (planes.size(), 1u);
+      EXPECT_NEAR (planes[0].normal.z(), -height, 1e-9) << "towards zero";
+    }
   }
 }
 

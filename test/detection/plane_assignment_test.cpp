@@ -65,36 +65,50 @@ labelByBruteForce (const Eigen::Vector3d& point,
 TEST (AssignPoints, GivesEachPointToAPlaneNearEnough)
 {
   using Rule = AssignmentRule;
+  constexpr unsigned several_threads = 2;
   const struct {
+    const char* name;
     std::vector<float> heights; // of the points [m]
     std::vector<Plane> planes;
     double threshold; // [m]
     std::vector<Rule> rules;
     Labels expected; // by each of the rules
   } rows[] = {
-      {{0.0f, 0.2f, 0.8f, 1.0f},
+      {"to the nearest of two planes",
+       {0.0f, 0.2f, 0.8f, 1.0f},
        {atHeight (0), atHeight (1)},
        2.0,
        {Rule::Nearest},
        {0, 0, 1, 1}},
-      {{0.0f, 0.2f, 0.8f, 1.0f, 2.5f},
+      {"to the first plane that is near enough",
+       {0.0f, 0.2f, 0.8f, 1.0f, 2.5f},
        {atHeight (0), atHeight (1)},
        2.0,
        {Rule::First},
        {0, 0, 0, 0, 1}},
-      {{0.5f}, {atHeight (0), atHeight (1)}, 2.0, {Rule::Nearest, Rule::First}, {0}},
-      {{-0.06f, -0.04f, 0.04f, 0.06f},
+      {"to the first of two equally near planes",
+       {0.5f},
+       {atHeight (0), atHeight (1)},
+       2.0,
+       {Rule::Nearest, Rule::First},
+       {0}},
+      {"to no plane beyond the threshold",
+       {-0.06f, -0.04f, 0.04f, 0.06f},
        {atHeight (0)},
        5_cm,
        {Rule::Nearest, Rule::First},
        {no_plane, 0, 0, no_plane}},
-      {{}, {atHeight (0)}, 5_cm, {Rule::Nearest}, {}},
-      {{0.0f, 1.0f}, {}, 5_cm, {Rule::Nearest}, {no_plane, no_plane}}};
+      {"no points", {}, {atHeight (0)}, 5_cm, {Rule::Nearest}, {}},
+      {"no planes", {0.0f, 1.0f}, {}, 5_cm, {Rule::Nearest}, {no_plane, no_plane}}};
   for (const auto& row : rows)
     for (const Rule rule : row.rules)
-      EXPECT_EQ (assignPoints (
-                     pointsAtHeights (row.heights), row.planes, row.threshold, rule, 2),
-                 row.expected);
+      EXPECT_EQ (assignPoints (pointsAtHeights (row.heights),
+                               row.planes,
+                               row.threshold,
+                               rule,
+                               several_threads),
+                 row.expected)
+          << row.name;
 }
 
 TEST (AssignPoints, AgreesWithBruteForce)

@@ -44,7 +44,7 @@ const Case cases[] = {
      {1, 1, 1, 1, 1, 2, 2},
      {1, 1, 1, 2, 2, 1, 1},
      3. / 7},
-    {"then those with the next overlap",
+    {"then those with the largest overlap of the others",
      {1, 1, 1, 1, 1, 2, 2},
      {1, 1, 1, 2, 2, 2, 1},
      4. / 7},
