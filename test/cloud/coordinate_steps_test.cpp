@@ -50,11 +50,11 @@ TEST (CoordinateSteps, OfTwoHeightsOneStepApartAreThatStep)
 {
   Coordinates floor = cubeRoundedTo ({1_cm, 1_cm, 0.0});
   for (std::size_t i = 0; i < floor.size(); ++i)
-    floor.z[i] = i % 2 == 0 ? 2.93F : 2.94F;
+    floor.z[i] = i % 2 == 0 ? 2.93f : 2.94f;
   EXPECT_NEAR (coordinateSteps (floor).z(), 1_cm, 1e-4);
   // Heights 4 cm apart are both sides of a board and no steps.
   for (std::size_t i = 0; i < floor.size(); i += 2)
-    floor.z[i] = 2.9F;
+    floor.z[i] = 2.9f;
   EXPECT_EQ (coordinateSteps (floor).z(), 0.0);
 }
 

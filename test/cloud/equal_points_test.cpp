@@ -59,7 +59,7 @@ TEST (FirstAtPlace, IsThePointItselfWhereFewHaveEqualsBesideMissingReadings)
   }
 }
 
-TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
+TEST (FirstAtPlace, IsTheFirstOfEqualPointsWhereAllHaveEquals)
 {
   const Coordinates points = pointsInACube (1000, 4.0);
   Coordinates twice = points;
@@ -90,12 +90,15 @@ TEST (FirstAtPlace, TakesZeroAndMinusZeroForOnePlace)
   Coordinates points = lonePointsAnd (30, 0.0f);
   for (std::size_t i = lone_points; i < points.size(); i += 2)
     points.y[i] = -0.0f;
-  EXPECT_EQ (firstAtPlace (points, one_thread)[lone_points + 1], no_reading);
+  const FirstAtPlace first = firstAtPlace (points, one_thread);
+  ASSERT_EQ (first.size(), points.size());
+  for (std::size_t i = lone_points; i < points.size(); ++i)
+    EXPECT_EQ (first[i], no_reading) << i;
 }
 
 TEST (FirstAtPlace, IsNoReadingOfPointsThatAreNotFinite)
 {
   Coordinates points = lonePointsAnd (50, 0.0f);
   points.x[7] = NAN;
-  EXPECT_EQ (firstAtPlace (points, one_thread)[7], no_reading);
+  EXPECT_EQ (firstAtPlace (points, one_thread).at (7), no_reading);
 }

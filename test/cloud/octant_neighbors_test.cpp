@@ -88,7 +88,7 @@ TEST (OctantTree, TakesThePointWithTheLowestIndexWherePointsAreEquallyFar)
     for (int y = 0; y < 400; ++y)
       if (drawUnit (generator) < 0.2)
         points.emplace_back (x, y);
-  std::reverse (points.begin(), points.end());
+  std::reverse (points.begin(), points.end()); // low indices at large x
   expectNeighborsAsByBruteForce (points);
 }
 

@@ -118,8 +118,8 @@ TEST (DistinctPoints, KnowWhereTheyCameFromAndWhereTheirCopiesAre)
   ASSERT_EQ (points.size(), 3u);
   EXPECT_EQ (inInputFrame (points, 1), Eigen::Vector3d (4, 5, 6));
   EXPECT_EQ (inInputFrame (points, 2), Eigen::Vector3d (7, 8, 9));
-  std::vector<std::pair<pcl::index_t, std::uint32_t>>
-      copies; // index in the cloud, index of its point
+  // The index in the cloud, and the index of the point that represents the copy.
+  std::vector<std::pair<pcl::index_t, std::uint32_t>> copies;
   for (const Copy& copy : points.copies)
     copies.emplace_back (copy.index, copy.point);
   EXPECT_EQ (copies, (decltype (copies){{1, 0}, {3, 0}, {5, 1}, {6, 2}}));

@@ -41,7 +41,7 @@ TEST (VoxelGrid, PutsPointsVoxelAfterVoxelInTheirOrder)
     EXPECT_TRUE (std::is_sorted (points_of_voxel.begin(), points_of_voxel.end()));
     next = points_of_voxel.end();
   }
-  EXPECT_EQ (next, grid.order->data() + 5000);
+  EXPECT_EQ (next, grid.order->data() + points.size());
 }
 
 TEST (VoxelGrid, AddsUpTheMomentsOfTheVoxelsPoints)
@@ -71,7 +71,7 @@ TEST (VoxelGrid, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST (CoarseVoxels, HoldEightFineVoxelsEachAndLoseNoPoint)
+TEST (CoarseVoxels, HoldTheFineVoxelsInTheirCubeAndLoseNoPoint)
 {
   const VoxelGrid fine = voxelize (pointsInACube (3000, 4.0), 0.25, one_thread);
   const VoxelLevels levels = coarsen (fine);

@@ -143,7 +143,7 @@ TEST (PlaneCovariance, IsNoneOfANormalWithinTheSurface)
 TEST (PlaneCovariance, RefusesInliersOutsideTheCloud)
 {
   const Cloud cloud = *Scene().floor (1, 2).build().cloud;
-  for (const pcl::index_t outside : {-5, static_cast<int> (cloud.size())}) {
+  for (const pcl::index_t outside : {-1, static_cast<int> (cloud.size())}) {
     PlaneSegment plane = fittedTo (cloud);
     plane.inliers.push_back (outside);
     EXPECT_THROW (planeCovariance (cloud, plane), std::invalid_argument);

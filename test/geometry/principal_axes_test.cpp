@@ -23,11 +23,12 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolverInAnyUnitOfLength)
 {
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 200; ++i) {
+    // From a thousandth of the largest value, 1, to that value.
     const double middle_value = std::pow (10.0, -3.0 * drawUnit (generator));
     // Every tenth matrix is that of an exact plane: its least eigenvalue is 0.
     const double least_value =
         i % 10 == 0 ? 0.0 : 0.9 * middle_value * drawUnit (generator);
-    // From 1e-12 to 1e12, the square of a unit of length.
+    // The square of a unit of length, from 1e-12 to 1e12.
     const double scale = std::pow (10.0, 24.0 * drawUnit (generator) - 12.0);
     const Eigen::Matrix3d matrix =
         scale * matrixWith ({least_value, middle_value, 1.0}, generator);

@@ -26,12 +26,12 @@ TEST (BestTwoGroups, OfEvenlySpreadValuesAreHalvesThatExplain3QuartersOfTheVaria
 
 TEST (BestTwoGroups, HaveAsManyValuesEachAsAreAskedFor)
 {
-  const std::vector<double> one_apart{0.0, 1.0, 2.0, 3.0, 100.0};
-  EXPECT_EQ (bestTwoGroups (one_apart).first_above, 4u);
-  EXPECT_EQ (bestTwoGroups (one_apart, 2).first_above, 3u);
-  EXPECT_EQ (bestTwoGroups (one_apart, 3).first_above, 0u)
+  const std::vector<double> with_outlier{0.0, 1.0, 2.0, 3.0, 100.0};
+  EXPECT_EQ (bestTwoGroups (with_outlier).first_above, 4u);
+  EXPECT_EQ (bestTwoGroups (with_outlier, 2).first_above, 3u);
+  EXPECT_EQ (bestTwoGroups (with_outlier, 3).first_above, 0u)
       << "five values are too few for two groups of three";
-  EXPECT_EQ (bestTwoGroups (one_apart, 3).explained_share, 0.0);
+  EXPECT_EQ (bestTwoGroups (with_outlier, 3).explained_share, 0.0);
 }
 
 TEST (BestTwoGroups, OfEqualValuesOrNoneAreNone)
