@@ -175,7 +175,7 @@ TEST (PlaneEdges, AreTwoWhereADoorOpens)
   EXPECT_EQ (edgesOf (built, across_door).edges.size(), 1u);
 }
 
-TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
+TEST (PlaneEdges, GoOnWhereAWallMeetsTheMiddleOfAnother)
 {
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({2, 0}, {2, 3}, 2.5_m);
@@ -278,7 +278,7 @@ TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
   EXPECT_EQ (endsOf(), ends);
 }
 
-TEST (PlaneEdges, OfNothingOrAPlaneThatIsNotFiniteAreNone)
+TEST (PlaneEdges, OfNothingOrOfAPlaneThatIsNotFiniteAreNone)
 {
   const pcl::PointCloud<pcl::PointXYZ> empty;
   EXPECT_TRUE (findPlaneEdges (empty, {}).edges.empty());
@@ -286,7 +286,8 @@ TEST (PlaneEdges, OfNothingOrAPlaneThatIsNotFiniteAreNone)
   const LabeledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);
   planes[1].normal.setConstant (NAN);
-  EXPECT_EQ (findPlaneEdges (*built.cloud, planes).edges.size(), 1u);
+  EXPECT_EQ (findPlaneEdges (*built.cloud, planes).edges.size(), 1u)
+      << "of the other two planes";
   planes[0].centroid.setConstant (NAN);
   EXPECT_TRUE (findPlaneEdges (*built.cloud, planes).edges.empty());
 }

@@ -118,7 +118,8 @@ TEST (MatchPlanes, CorrectsPosesThatAreFarOffIfItsParametersAllowIt)
 
 namespace {
 
-/** A level board, from x - width / 2 to x + width / 2 and 1 m deep, at a height [m].
+/** \brief A level board, from x - width / 2 to x + width / 2 and 1 m deep, at a height
+ * [m].
  * \param[in] noise how far its points are from it [m] */
 PlaneSegment
 levelBoard (double x, double height, double width, double noise = 0.002)
@@ -126,24 +127,24 @@ levelBoard (double x, double height, double width, double noise = 0.002)
   return board ({x, 0, height}, Vector3d::UnitZ(), {width, 1}, noise);
 }
 
-/** A part of one wall, from x - width / 2 to x + width / 2 and 2 m high. */
+/** \brief A part of one wall, from x - width / 2 to x + width / 2 and 2 m high. */
 PlaneSegment
 partOfWall (double x, double width)
 {
   return board ({x, 0, 0}, Vector3d::UnitY(), {width, 2});
 }
 
-/** Planes of two frames, and which of them match. */
+/** \brief Planes of two frames, and which of them match. */
 struct MatchingCase {
   const char* name; // of the test
   Planes previous;
   Planes current;
   PlaneMatchingParameters parameters;
-  /** Index of the previous plane that matches each current plane. */
+  /** \brief Index of the previous plane that matches each current plane. */
   Labels expected;
 };
 
-/** Prints the name in messages of GoogleTest. */
+/** \brief Prints the name in messages of GoogleTest. */
 void
 PrintTo (const MatchingCase& row, std::ostream* stream)
 {
@@ -166,7 +167,7 @@ withMinOverlap (double min_overlap)
   return parameters;
 }
 
-/** Parameters for a pose that has no error. */
+/** \brief Parameters for a pose that has no error. */
 PlaneMatchingParameters
 exactPose ()
 {
@@ -176,7 +177,7 @@ exactPose ()
   return parameters;
 }
 
-/** Planes that are apart along their normals. */
+/** \brief Planes that are apart along their normals. */
 std::vector<MatchingCase>
 casesOfDistance ()
 {
@@ -214,7 +215,7 @@ casesOfDistance ()
        {0}}};
 }
 
-/** Planes with the same equation that overlap in part or not at all. */
+/** \brief Planes with the same equation that overlap in part or not at all. */
 std::vector<MatchingCase>
 casesOfOverlap ()
 {
@@ -249,7 +250,7 @@ casesOfOverlap ()
        {1}}};
 }
 
-/** Frames without planes, and segments without points. */
+/** \brief Frames without planes, and segments without points. */
 std::vector<MatchingCase>
 casesOfNothing ()
 {
@@ -364,7 +365,7 @@ TEST (PlaneTracker, HasPlanesInTheCommonFrame)
   const Isometry3d pose = motion (30, Vector3d::UnitZ(), {1, 2, 0.5});
   PlaneTracker tracker;
   tracker.track (seenFrom (pose, roomCorner()), pose);
-  ASSERT_EQ (tracker.planes().size(), 5U);
+  ASSERT_EQ (tracker.planes().size(), 5u);
   for (std::size_t i = 0; i < 5; ++i) {
     const PlaneSegment& plane = tracker.planes()[i].plane;
     const PlaneSegment truth = roomCorner()[i];
@@ -391,7 +392,7 @@ TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
   PlaneTracker tracker;
   for (const double x : {0.0, 1.0, 2.0, 1.0})
     tracker.track ({board ({x, 3, -1}, Vector3d::UnitZ(), {2, 1})}, no_motion);
-  ASSERT_EQ (tracker.planes().size(), 1U);
+  ASSERT_EQ (tracker.planes().size(), 1u);
   const PlaneExtent& extent = tracker.planes()[0].extent;
   EXPECT_NEAR (extent.length, 4.0, 0.02);
   EXPECT_NEAR (extent.width, 1.0, 0.02);
@@ -425,7 +426,7 @@ TEST (PlaneTracker, ForgetsPlanesBeyondTheGivenDistance)
     return tracker.planes().size();
   };
   tracker.track ({board ({0, 0, -1}, Vector3d::UnitZ(), {2, 2})}, no_motion);
-  EXPECT_EQ (planesAfterMovingTo (5), 1U) << "the nearest side is 4 m away";
-  EXPECT_EQ (planesAfterMovingTo (7), 0U);
+  EXPECT_EQ (planesAfterMovingTo (5), 1u) << "the nearest side is 4 m away";
+  EXPECT_EQ (planesAfterMovingTo (7), 0u);
   EXPECT_THROW (PlaneTracker ({}, never_by_frames, -1.0), std::invalid_argument);
 }

@@ -238,7 +238,7 @@ TEST (PlanePieces, EqualPointsCountButDoNotChangeTheSpacing)
     for (int copy = 0; copy < copies; ++copy)
       cloud.push_back (cloud[i]);
   const PlanePieces found = piecesOf (cloud);
-  EXPECT_EQ (found.pieces.size(), tiles_of_floor);
+  ASSERT_EQ (found.pieces.size(), tiles_of_floor);
   EXPECT_EQ (found.pieces[0].inliers.size(), 36u * (1u + copies));
 }
 
@@ -268,8 +268,9 @@ TEST (PlanePieces, AreTheSameForAnyOrderOfThePoints)
   Cloud reversed = cloud;
   std::reverse (reversed.begin(), reversed.end());
   const PlanePieces found = findPlanePieces (reversed, {plane});
-  EXPECT_EQ (positionsOf (found, reversed), expected);
+  ASSERT_EQ (positionsOf (found, reversed), expected);
   const PlanePieces in_order = findPlanePieces (cloud, {plane});
+  ASSERT_EQ (in_order.pieces.size(), expected.size());
   EXPECT_EQ (found.pieces[0].moments.products, in_order.pieces[0].moments.products);
 }
 

@@ -175,11 +175,11 @@ TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
   const Surface lamp{{1, 1, 2.6}, {2, 0, 0}, {0, 2, 0}};
   const Surface free_ground{{2, 1.5, 0}, {2, 0, 0}, {0, 1, 0}};
   const Surface wall_behind{{0, 0, 0}, {0, 4, 0}, {0, 0, 2.8}};
-  const Surface wall_ahead_up{{6, 0, 0}, {0, 4, 0}, {0, 0, 2.8}};
+  const Surface high_wall_ahead{{6, 0, 0}, {0, 4, 0}, {0, 0, 2.8}};
   const Surface other_wall{{0, 4, 0}, {6, 0, 0}, {0, 0, 2.8}};
   std::vector<PlaneSegment> planes;
   for (const Surface& surface :
-       {ceiling, lamp, wall_behind, wall_ahead_up, other_wall, wall_beside})
+       {ceiling, lamp, wall_behind, high_wall_ahead, other_wall, wall_beside})
     planes.push_back (seenFrom (middle, surface));
   EXPECT_TRUE (estimateUpAxis (planes, middle)) << "no floor was seen";
   planes.push_back (seenFrom (middle, free_ground));

@@ -79,7 +79,7 @@ roomAt (const Vector3d& corner)
   Cloud cloud;
   const auto addSurface =
       [&] (const Vector3d& from, const Vector3d& first, const Vector3d& second) {
-        constexpr double share_of_step = 0.01; // 1 / room_steps
+        constexpr double share_of_step = 1.0 / room_steps;
         for (int i = 0; i <= room_steps; ++i)
           for (int j = 0; j <= room_steps; ++j)
             cloud.push_back (
