@@ -45,7 +45,7 @@ TEST (DepthLevels, AreAsFarApartAsTheSteps)
   ASSERT_FALSE (levels.step.empty());
   EXPECT_NEAR (std::abs (levels.direction.z()), 1.0, 1e-6);
   for (const float step : levels.step)
-    ASSERT_NEAR (step, 4e-2, 1e-3);
+    ASSERT_NEAR (step, 4_cm, 1_mm);
 }
 
 TEST (DepthLevels, AreSeenInAnyDirection)
@@ -67,7 +67,7 @@ TEST (DepthLevels, MayBeRoundedOrJittered)
   for (const double jitter : {rounding, 1_mm}) {
     const DepthLevels levels = levelsOf (slantedWallInSteps (4_cm, jitter));
     ASSERT_FALSE (levels.step.empty()) << jitter;
-    EXPECT_NEAR (levels.step[0], 4e-2, 2e-3);
+    EXPECT_NEAR (levels.step[0], 4_cm, 2_mm);
   }
 }
 
@@ -89,7 +89,7 @@ TEST (DepthLevels, MayBeRoundedInATurnedFrame)
   EXPECT_NEAR (std::abs (levels.direction.dot (turned_z)), 1.0, 1e-6);
   std::size_t steps_near_1_cm = 0;
   for (const float step : levels.step)
-    steps_near_1_cm += std::abs (step - 1e-2) < 1e-3 ? 1 : 0;
+    steps_near_1_cm += std::abs (step - 1_cm) < 1_mm ? 1 : 0;
   EXPECT_GT (steps_near_1_cm, points.size() * 9 / 10);
 }
 
@@ -134,5 +134,5 @@ TEST (DepthLevels, FarBehindAllOthersGetNoLargerStepThanTheOthers)
   const DepthLevels levels = levelsOf (points);
   ASSERT_FALSE (levels.step.empty());
   for (const float step : levels.step)
-    ASSERT_NEAR (step, 4e-2, 1e-3);
+    ASSERT_NEAR (step, 4_cm, 1_mm);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/detect_on_places.h"
-#include "voxel_scene.h"
+#include "scene.h"
 
 #include <optional>
 #include <set>
@@ -178,8 +178,10 @@ TEST (DetectOnPlaces, FindsTheFacesOfARoofAndNoPlaneInTheHillBelow)
   RandomGenerator generator (seedOfTest());
   for (std::size_t i = 0; i < hill_end; ++i) {
     const double squared_radius = points.x[i] * points.x[i] + points.y[i] * points.y[i];
-    points.z[i] = static_cast<float> (4.0 * std::exp (-squared_radius / 50.0) +
-                                      1_cm * drawGaussian (generator));
+    constexpr double twice_the_variance = 2.0 * 5_m * 5_m;
+    points.z[i] =
+        static_cast<float> (4_m * std::exp (-squared_radius / twice_the_variance) +
+                            1_cm * drawGaussian (generator));
   }
   addDrawn (points, {{-4, -5, 6}, {4, 0, 2}, {0, 10, 0}}, 15_cm, 1_cm);
   const std::size_t left_face_end = points.size();

@@ -220,7 +220,7 @@ TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
   Surface beyond = ground_beyond_gap; // turned by 0.2 degrees about its middle
   beyond.first.z() = 2.0 * std::tan (0.2_deg);
   beyond.corner.z() = -std::tan (0.2_deg);
-  for (const double max_angle : {0.1 * 1_deg, 1.0 * 1_deg}) {
+  for (const double max_angle : {0.1_deg, 1_deg}) {
     PlaceScene scene (drawnOn ({square_of_ground, beyond}, 2_cm, 1_cm));
     joinTouching (scene.places, one_thread, scene.regions);
     pcl_ops::MergingParameters merging;

@@ -168,6 +168,7 @@ TEST (StageTrace, KeepsOfTheJoinedRegionsThoseThatArePlanes)
   const pcl_ops::Labels& planes = resultOf (Stage::Planes, trace).labels;
   ASSERT_FALSE (planes.empty());
   ASSERT_EQ (planes.size(), joined.size());
+  ASSERT_EQ (grown.size(), joined.size());
   EXPECT_LT (2 * std::count (planes.begin(), planes.end(), no_plane),
              static_cast<std::ptrdiff_t> (planes.size()));
   for (std::size_t i = 0; i < joined.size(); ++i) {
