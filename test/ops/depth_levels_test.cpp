@@ -104,7 +104,7 @@ TEST (DepthLevels, AreNotSeenInNoiseFacesFewPointsGridsOrAFloor)
                                   3_cm,
                                   0.0))
                    .step.empty());
-  // 1600 points of one plane: fewer than 2000 are not searched for levels.
+  // 1600 points, all of one plane.
   EXPECT_TRUE (levelsOf (drawnOn ({square_of_ground}, 5_cm, 0.0)).step.empty());
   // A wall, and a floor at three heights, both on grids of 4 cm. The rows of the grids
   // are no levels of depth.
@@ -121,6 +121,19 @@ TEST (DepthLevels, AreNotSeenInNoiseFacesFewPointsGridsOrAFloor)
   for (int i = 0; i < 20; ++i)
     floor.add (1.0f, 1.0f, 0.03f * static_cast<float> (i * i));
   EXPECT_TRUE (levelsOf (floor).step.empty());
+}
+
+TEST (DepthLevels, AreNotSearchedInFewerThan2000Points)
+{
+  // Exact rectangles on twelve levels 1 m apart.
+  const auto areSeen = [] (double width) {
+    std::vector<Surface> levels;
+    for (int level = 0; level < 12; ++level)
+      levels.push_back ({{0, 0, level * 1_m}, {width, 0, 0}, {0, 1, 0}});
+    return !levelsOf (drawnOn (levels, 10_cm, 0.0)).step.empty();
+  };
+  EXPECT_FALSE (areSeen (1.6)) << "160 points on each level, 1920 in all";
+  EXPECT_TRUE (areSeen (1.8)) << "180 points on each level, 2160 in all";
 }
 
 TEST (DepthLevels, FarBehindAllOthersGetNoLargerStepThanTheOthers)

@@ -105,7 +105,7 @@ votesOf (const PlaneKernel& kernel)
 }
 
 /** A kernel with this mean [m], [rad], [rad]. Its standard deviations are 3 bins of
- * rho, 3 of phi and 4 of theta; all three are correlated. */
+ * rho, 3 of phi and, at the equator, 4 of theta; all three are correlated. */
 PlaneKernel
 kernelWithMean (double rho, double phi, double theta)
 {
@@ -223,10 +223,12 @@ TEST (KernelVotes, AreTheDensityOfAllBinsWithinTwoDeviations)
     const double least = leastVote (kernel);
     // All directions but the poles, where the azimuth is free.
     const auto south_pole = static_cast<std::uint32_t> (space.directions.size() - 1);
+    // Up to five standard deviations of rho; every sixth bin, to save time.
     for (std::uint32_t direction = 1; direction < south_pole; ++direction)
       for (int rho = bin_of_1_m - 15; rho < bin_of_1_m + 15; rho += 6) {
         const Bin bin{direction, rho};
         const double expected = largestDensity (kernel, bin);
+        // The bin of the mean gets the least vote if its center is farther away.
         // Rounding decides whether a bin on the border gets a vote.
         const bool is_on_border = std::abs (expected / least - 1.0) < 1e-4;
         if (isBinOfMean (kernel, bin) || is_on_border)
@@ -277,7 +279,7 @@ TEST (KernelVotes, CountOncePerBinWhereTheyReachBeyondThePoleAndTheCenter)
   PlaneKernel of_all_directions = near_pole_and_center;
   of_all_directions.covariance = Eigen::Vector3d (0.0001, 1e4, 1e4).asDiagonal();
   for (const PlaneKernel& kernel : {near_pole_and_center, of_all_directions})
-    EXPECT_FALSE (votesOf (kernel).empty()); // votesOf tests that each counts once
+    EXPECT_FALSE (votesOf (kernel).empty()) << "votesOf tests that each counts once";
 }
 
 TEST (KernelVotes, OfANarrowKernelBetweenBinCentersGoToTheBinOfItsMean)
@@ -320,7 +322,7 @@ TEST (KernelVotes, AreFiniteAndInTheBallBeyondTheLastRhoAndForAzimuthsManyTurnsA
   PlaneKernel many_turns = kernelWithMean (1.0, 1.2, 2.0);
   many_turns.covariance = Eigen::Vector3d (1e-4, 1e-4, 1e24).asDiagonal();
   many_turns.covariance (1, 2) = many_turns.covariance (2, 1) = 0.999e10;
-  const PlaneKernel at_last_rho = kernelWithMean (1.99, 1.5, 2.0); // of 2 m
+  const PlaneKernel at_last_rho = kernelWithMean (1.99, 1.5, 2.0); // bins end at 2 m
   for (const PlaneKernel& kernel : {many_turns, at_last_rho}) {
     const std::map<Bin, double> votes = votesOf (kernel);
     EXPECT_FALSE (votes.empty());

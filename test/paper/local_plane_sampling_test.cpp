@@ -274,9 +274,10 @@ TEST (SampleLocalPlanes, SkipsSpheresWithFewerPointsThanTestedPoints)
   EXPECT_FALSE (samplePatch (n_loc, {}).moments.empty());
   LocalSamplingParameters without_visit_limit;
   without_visit_limit.max_visits_per_point = no_limit;
-  const LocalPlanes skipped = samplePatch (n_loc - 1, without_visit_limit);
+  constexpr std::size_t too_few = n_loc - 1;
+  const LocalPlanes skipped = samplePatch (too_few, without_visit_limit);
   EXPECT_TRUE (skipped.moments.empty());
-  EXPECT_EQ (skipped.hypotheses, 79u)
+  EXPECT_EQ (skipped.hypotheses, too_few)
       << "one per point: K_max, max_hypotheses_per_point";
 }
 

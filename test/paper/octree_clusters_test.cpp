@@ -180,8 +180,8 @@ TEST (OctreeClusters, LeaveOutPointsFarFromTheirPlaneAndOutsideTheRoot)
 TEST (OctreeClusters, BeginAtTheFirstLevelAndHaveAtLeast30Points)
 {
   const Coordinates points = gridsOf ({horizontal}, 400);
-  Coordinates few =
-      gridsOf ({horizontal}, 5); // 25 points, below the default min_samples
+  // 25 points, below the default min_samples.
+  Coordinates few = gridsOf ({horizontal}, 5);
   for (const int first_level : {0, 2, 5, 6}) {
     const OctreeClusters octree = clustersOf (points, first_level);
     EXPECT_FALSE (octree.clusters.empty()) << first_level;
