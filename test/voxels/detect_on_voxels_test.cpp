@@ -76,7 +76,7 @@ TEST (DetectOnVoxels, SaysTheVoxelSizeAndTheDistanceThatItUsed)
   threshold_alone.distance_threshold = 1_cm;
   const LabeledPlanes limited = detect (pointsOf ({ground}, 2_cm), threshold_alone);
   EXPECT_GT (limited.used.voxel_size.value_or (0), 1_cm) << "chosen by the detector";
-  EXPECT_NEAR (*limited.used.distance_threshold, 1_cm, 1e-6);
+  EXPECT_NEAR (limited.used.distance_threshold.value_or (0), 1_cm, 1e-6);
   EXPECT_EQ (detect (Points()).used.distance_threshold, std::nullopt);
 }
 

@@ -15,9 +15,9 @@ constexpr double default_rate = 0.03;
  * 20 cm if only their number decides. */
 constexpr double low_rate = 0.003;
 
-/** \brief Voxels of a floor of 40 m x 40 m with 40,000 points, 13 in a voxel, and
- * 10,000 more points on a square patch of it. Half of the points lie \p noise [m] above
- * the floor and half as far below.
+/** \brief Voxels of a floor of 40 m x 40 m with 40,000 points, some 12 in a voxel,
+ * and 10,000 more points on a square patch of it. Half of the points lie \p noise [m]
+ * above the floor and half as far below.
  * \param[in] patch_edge [m] */
 VoxelGrid
 gridOfFloorWithPatch (double patch_edge, double noise)
@@ -51,7 +51,7 @@ gridOfFloorWithHalfInTwoLayers (double apart)
 
 /** \brief Voxels of two floors of 4 m x 4 m, one above the other, with steps x steps
  * points each.
- * \param[in] apart distance of the floors [m]; half of it is their noise as one floor */
+ * \param[in] apart distance of the floors [m]; half is their noise as one floor */
 VoxelGrid
 gridOfFloors (double apart, int steps, double sampling_rate)
 {
