@@ -21,7 +21,7 @@ struct Opening {
 };
 
 constexpr double grid_spacing = 5_cm;
-constexpr double half_spacing = 0.025; // from the rim of a rectangle to points [m]
+constexpr double half_spacing = 0.5 * grid_spacing; // from a rim to its first points
 
 /** \brief Level rectangles and walls. Each is a grid of points 5 cm apart, and a plane
  * with a kind. */

@@ -44,7 +44,8 @@ TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
   EXPECT_EQ (plan.rooms[0].rings.at (0).size(), 4u);
-  EXPECT_NEAR (*plan.rooms[0].ceiling - *plan.rooms[0].floor, 2.5_m, 1_mm);
+  EXPECT_NEAR (
+      plan.rooms[0].ceiling.value() - plan.rooms[0].floor.value(), 2.5_m, 1_mm);
   EXPECT_NEAR (plan.height, 1.2_m, 1_mm);
 }
 
@@ -101,14 +102,13 @@ TEST (FloorPlan, HasTheHeightOfMostOfTheFloorWhereverMostPointsAre)
 
   const FloorPlan plan = room.plan();
 
-  ASSERT_EQ (plan.rooms.size(), 1U);
-  EXPECT_NEAR (*plan.rooms[0].floor, 0.0, 1_mm);
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].floor.value(), 0.0, 1_mm);
 }
 
 TEST (FloorPlan, OfAWallWithAWindowSaysWhereItsSillAndHeadAre)
 {
-  Building house =
-      roomOf4By3(); // with four walls; the one with the window is the fifth
+  Building house = roomOf4By3(); // has four walls; that with the window is the fifth
   house.wall ({0, 9}, {4, 9}, {window});
   const FloorPlan plan = house.plan();
   const PlanOpening& found_window = plan.walls.at (4).openings.at (0);
@@ -263,6 +263,7 @@ TEST (FloorPlan, HasNoRoomBetweenTheTwoSidesOfAWall)
 
 TEST (FloorPlan, HasNoOpeningWhereTheOtherSideOfAWallWasSeen)
 {
+  // A wall without a gap. Of its other side 2 m were seen: these are no leaf in a gap.
   Building flat;
   flat.wall ({0, 0}, {4, 0}).wall ({3, -0.1}, {1, -0.1});
   const FloorPlan plan = flat.plan();
@@ -661,7 +662,7 @@ TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
   const FloorPlan in_utm = findFloorPlan (
       building.cloud, moved, building.kinds, Vector3d::UnitZ(), {}, shift);
   EXPECT_NEAR (in_utm.rooms.at (0).area, 12.0, 0.01);
-  EXPECT_NEAR (*in_utm.rooms.at (0).floor, 100.0, 1_mm);
+  EXPECT_NEAR (in_utm.rooms.at (0).floor.value(), 100.0, 1_mm);
   EXPECT_NEAR (in_utm.walls.at (1).from.x(), 500'004.0, 1_mm);
   EXPECT_EQ (in_utm.walls.at (0).openings.at (0).room_before, std::size_t (0));
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The limits in the table of src/doc/buildings.md, each tested from both sides.
+// Limits of src/buildings/constants.h at which planes change their kind, each tested
+// from both sides. src/doc/buildings.md has the rules.
 #include "rectangles.h"
 
 #include <cmath>
@@ -331,7 +332,7 @@ TEST (KindLimits, OfPartsOfWalls)
 
 TEST (KindLimits, OfRamps)
 {
-  // The kind of a slope in a room that begins at this height.
+  // The kind of a slope in a room. Its lower end is at this height.
   const auto kindOfRamp =
       [] (double length, double degrees, double width, double height) {
         return shell()
@@ -362,7 +363,7 @@ TEST (KindLimits, OfRamps)
         "ramp",
         [&] (double rise) {
           constexpr double degrees = 15.0;
-          const double length = rise / std::sin (M_PI / 12.0); // of 15 degrees, too
+          const double length = rise / std::sin (degrees * 1_deg);
           return kindOfRamp (length, degrees, 1.2, 0.0);
         }},
        {"height at which a ramp begins [m]", 0.2, "ramp", "other", [&] (double height) {
@@ -405,7 +406,7 @@ TEST (KindLimits, OfRoofs)
                   "roof",
                   "other",
                   [&] (double rms) { return kindOfRough (rms, {}); }},
-                 {"rms of a roof with a noise of 5 cm [m]",
+                 {"rms of a roof with a noise of 5 cm, at most three noises [m]",
                   0.15,
                   "roof",
                   "other",
@@ -497,7 +498,8 @@ TEST (KindLimits, OfASensorThatLeans)
 
 TEST (KindLimits, OfTheGroundOfASensorThatLeans)
 {
-  // The kind of a ground 1 m wide under a sensor, to which it slopes by an angle.
+  // The kind of a ground 1 m wide that slopes by an angle, with a sensor at this height
+  // above its lower end.
   const auto kindOfGround = [] (double degrees, double area, double height) {
     Rectangles room;
     room.sensor = {0.5, 0.5, height};

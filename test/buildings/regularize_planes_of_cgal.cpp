@@ -70,7 +70,7 @@ struct Box {
             .plane_index_map (CGAL::make_property_map (plane_of_point))
             .regularize_axis_symmetry (false)
             .maximum_angle (max_angle * 180.0 / pi)
-            .maximum_offset (1e-3));
+            .maximum_offset (1_mm)); // no two sides are so near each other
     std::vector<Vector3d> normals;
     for (const Kernel::Plane_3& plane : regularized)
       normals.push_back (Vector3d (plane.a(), plane.b(), plane.c()).normalized());
