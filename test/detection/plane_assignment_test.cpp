@@ -60,48 +60,56 @@ labelByBruteForce (const Eigen::Vector3d& point,
   return best;
 }
 
+const std::vector<AssignmentRule> by_nearest = {AssignmentRule::Nearest};
+const std::vector<AssignmentRule> by_first = {AssignmentRule::First};
+const std::vector<AssignmentRule> by_either = {AssignmentRule::Nearest,
+                                               AssignmentRule::First};
+
+/** \brief Points on the z axis at these heights [m], and where they go. */
+struct AssignmentCase {
+  const char* name;
+  std::vector<float> heights;
+  std::vector<Plane> planes;
+  double threshold; // [m]
+  std::vector<AssignmentRule> rules;
+  Labels expected; // by each of the rules
+};
+
+const AssignmentCase assignment_cases[] = {
+    {"to the nearest of two planes",
+     {0.0f, 0.2f, 0.8f, 1.0f},
+     {atHeight (0), atHeight (1)},
+     2_m,
+     by_nearest,
+     {0, 0, 1, 1}},
+    {"to the first plane that is near enough",
+     {0.0f, 0.2f, 0.8f, 1.0f, 2.5f},
+     {atHeight (0), atHeight (1)},
+     2_m,
+     by_first,
+     {0, 0, 0, 0, 1}},
+    {"to the first of two equally near planes",
+     {0.5f},
+     {atHeight (0), atHeight (1)},
+     2_m,
+     by_either,
+     {0}},
+    {"to no plane beyond the threshold",
+     {-0.06f, -0.04f, 0.04f, 0.06f},
+     {atHeight (0)},
+     5_cm,
+     by_either,
+     {no_plane, 0, 0, no_plane}},
+    {"no points", {}, {atHeight (0)}, 5_cm, by_nearest, {}},
+    {"no planes", {0.0f, 1.0f}, {}, 5_cm, by_nearest, {no_plane, no_plane}}};
+
 } // namespace
 
 TEST (AssignPoints, GivesEachPointToAPlaneNearEnough)
 {
-  using Rule = AssignmentRule;
   constexpr unsigned several_threads = 2;
-  const struct {
-    const char* name;
-    std::vector<float> heights; // of the points [m]
-    std::vector<Plane> planes;
-    double threshold; // [m]
-    std::vector<Rule> rules;
-    Labels expected; // by each of the rules
-  } rows[] = {
-      {"to the nearest of two planes",
-       {0.0f, 0.2f, 0.8f, 1.0f},
-       {atHeight (0), atHeight (1)},
-       2.0,
-       {Rule::Nearest},
-       {0, 0, 1, 1}},
-      {"to the first plane that is near enough",
-       {0.0f, 0.2f, 0.8f, 1.0f, 2.5f},
-       {atHeight (0), atHeight (1)},
-       2.0,
-       {Rule::First},
-       {0, 0, 0, 0, 1}},
-      {"to the first of two equally near planes",
-       {0.5f},
-       {atHeight (0), atHeight (1)},
-       2.0,
-       {Rule::Nearest, Rule::First},
-       {0}},
-      {"to no plane beyond the threshold",
-       {-0.06f, -0.04f, 0.04f, 0.06f},
-       {atHeight (0)},
-       5_cm,
-       {Rule::Nearest, Rule::First},
-       {no_plane, 0, 0, no_plane}},
-      {"no points", {}, {atHeight (0)}, 5_cm, {Rule::Nearest}, {}},
-      {"no planes", {0.0f, 1.0f}, {}, 5_cm, {Rule::Nearest}, {no_plane, no_plane}}};
-  for (const auto& row : rows)
-    for (const Rule rule : row.rules)
+  for (const AssignmentCase& row : assignment_cases)
+    for (const AssignmentRule rule : row.rules)
       EXPECT_EQ (assignPoints (pointsAtHeights (row.heights),
                                row.planes,
                                row.threshold,

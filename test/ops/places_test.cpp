@@ -50,7 +50,7 @@ TEST (Places, HaveSupportsThatGrow)
   }
 }
 
-TEST (Places, ScatterByTheNoiseAndStandUpright)
+TEST (Places, ScatterByTheNoiseAndHaveNormalsOfTheirSurface)
 {
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 2_mm));
   double sum_of_scatter = 0.0;

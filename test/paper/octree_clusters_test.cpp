@@ -133,6 +133,7 @@ TEST (OctreeClusters, AreDisjointRangesOfPointsThatHoldEachPointOnce)
   ASSERT_GT (octree.clusters.size(), 4u);
   for (std::size_t c = 1; c < octree.clusters.size(); ++c)
     EXPECT_LE (octree.clusters[c - 1].end, octree.clusters[c].begin);
+  EXPECT_EQ (octree.points.size(), points.size());
   std::vector<bool> is_found (points.size(), false);
   for (const OctreePoint& point : octree.points) {
     EXPECT_EQ (point.position(), points[point.index]);
