@@ -11,6 +11,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief An unorganized cloud of these points. */
 pcl::PointCloud<pcl::PointXYZ>
 cloudOf (std::initializer_list<pcl::PointXYZ> points)
 {

@@ -543,7 +543,7 @@ TEST (DetectOnPlaces, FindsPlanesAsThinAsTheNoiseOnAHill)
   // One point for each square meter. The hill is so flat that planes of neighboring
   // parts touch and agree; if all were joined, the plane would have an rms of 56 cm.
   constexpr double noise = 3_cm;
-  Points points = drawnPoints ({{{0, 0, 0}, {200, 0, 0}, {0, 200, 0}}}, 1.0, noise);
+  Points points = drawnPoints ({{{0, 0, 0}, {200, 0, 0}, {0, 200, 0}}}, 1_m, noise);
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] += static_cast<float> (2.5 * std::sin (points.x[i] / 60.0) *
                                        std::cos (points.y[i] / 80.0));

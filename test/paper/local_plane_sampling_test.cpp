@@ -77,6 +77,7 @@ sampleInSpheresOfAll (const Coordinates& points,
       seedOfTest());
 }
 
+/** The same of a patch of so many points alone. */
 LocalPlanes
 samplePatch (std::size_t size, const LocalSamplingParameters& parameters)
 {

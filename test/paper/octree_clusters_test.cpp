@@ -23,6 +23,7 @@ nodeCenterOf (const RootCube& root, const CoplanarCluster& cluster)
   return corner + cluster.edge * (nodes_from_corner.array().floor() + 0.5).matrix();
 }
 
+/** The clusters from a first level on, with all other parameters as published. */
 OctreeClusters
 clustersOf (const Coordinates& points, int first_level)
 {
@@ -38,7 +39,7 @@ expectClusterOfOneNode (const OctreeClusters& octree,
                         const CoplanarCluster& cluster,
                         const Coordinates& points)
 {
-  // Normals of small nodes have larger errors.
+  // Normals of small nodes, from level 4 on, have larger errors.
   const double max_angle = cluster.level > 3 ? 0.1 : 0.02; // [rad]
   EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), max_angle);
   const Eigen::Vector3d center = nodeCenterOf (octree.root, cluster);

@@ -53,6 +53,7 @@ parametersWithThreshold ()
   return parameters;
 }
 
+/** \brief The plane that one-point RANSAC finds, if any. */
 std::optional<Plane>
 planeByRansac (Candidates candidates,
                const RansacParameters& parameters = parametersWithThreshold(),
@@ -62,6 +63,8 @@ planeByRansac (Candidates candidates,
   return onePointRansac (candidates, parameters, generator);
 }
 
+/** \brief The plane that largestPlane finds among all samples; throws if there is none.
+ */
 ExtractedPlane
 largestAmong (const OrientedSamples& samples,
               const RansacParameters& parameters,

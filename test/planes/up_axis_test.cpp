@@ -115,7 +115,7 @@ TEST (UpAxis, IsAcrossWallsWhereManyAreLargerThanTheFloor)
     }
   // The floor of 2.5 m x 2.5 m rises by 10 cm: its normal is not quite the up axis.
   planes.push_back (seenFrom (eye, {{-1, -1, 0}, {2.5, 0, 0}, {0, 2.5, 0.1}}));
-  UpAxisParameters parameters;
+  UpAxisParameters parameters; // of which hardly any limit holds
   parameters.min_share = 0.001;
   parameters.min_confidence = 0.0;
   expectUp (estimateUpAxis (planes, eye, parameters).value(), 1_deg);
