@@ -78,8 +78,13 @@ TEST (ShareOfCommonSteps, IsLowBesideTheLidarAndForPointsWithoutCommonSteps)
 
 TEST (ShareOfCommonSteps, IsZeroForTooFewPoints)
 {
-  EXPECT_EQ (shareOfCommonSteps (drawnOnSphere (lidar_position, 50), lidar_position),
-             0.0);
+  // Points of one beam: each has a neighbor one step beside it. The limit is 100
+  // points.
+  Coordinates beam = roomSeenInSteps (0.2, 0.2);
+  beam.resize (101);
+  EXPECT_NEAR (shareOfCommonSteps (beam, lidar_position), 1.0, 2_percent);
+  beam.resize (99);
+  EXPECT_EQ (shareOfCommonSteps (beam, lidar_position), 0.0);
   EXPECT_EQ (shareOfCommonSteps (Coordinates(), lidar_position), 0.0);
 }
 

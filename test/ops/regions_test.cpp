@@ -6,6 +6,7 @@
 #include "place_scene.h"
 
 #include <cmath>
+#include <set>
 
 using namespace pcl_ops::internal;
 using pcl_ops::Labels;
@@ -94,6 +95,22 @@ labelsOf (const PlaceScene& scene,
                       is_plane,
                       distance_threshold,
                       one_thread);
+}
+
+/** \brief The places that labelPlaces may give to either of two regions: each region
+ * has the place or one of its neighbors. */
+Indices
+placesOfEither (const PlaceScene& scene)
+{
+  Indices of_either;
+  for (std::uint32_t i = 0; i < scene.places.size(); ++i) {
+    std::set<std::int32_t> candidates = {scene.regions.of_place[i]};
+    for (std::size_t k = 0; k < scene.places.neighbors_per_place; ++k)
+      candidates.insert (scene.regions.of_place[scene.places.nearestOf (i)[k]]);
+    if (candidates.size() == 2)
+      of_either.push_back (i);
+  }
+  return of_either;
 }
 
 /** \brief For \ref labelsOf and the two regions of \ref groundInTwo: which are planes.
@@ -280,7 +297,7 @@ TEST (LabelPlaces, GivesARoadThatLeansToBothSidesItsEdges)
   EXPECT_LT (std::count (labels.begin(), labels.end(), no_plane), 200) << "of 17,778";
 }
 
-TEST (LabelPlaces, GivesEachPlaceToTheLikeliestPlane)
+TEST (LabelPlaces, GivesNearlyEachPlaceOfTwoPlanesToOneOfThem)
 {
   PlaceScene scene = groundInTwo();
   const Labels labels = labelsOf (scene, both_are_planes);
@@ -288,6 +305,38 @@ TEST (LabelPlaces, GivesEachPlaceToTheLikeliestPlane)
   for (const std::int32_t label : labels)
     labeled += label != no_plane;
   EXPECT_GT (static_cast<double> (labeled), 0.99 * scene.places.size());
+}
+
+TEST (LabelPlaces, GivesAPlaceToTheNearerOfTwoPlanesThatScatterAlike)
+{
+  PlaceScene scene = groundInTwo();
+  Region& left = scene.regions.list[0];
+  Region& right = scene.regions.list[1];
+  left.fit.plane.offset += 4_mm;
+  left.scatter = right.scatter = 1_cm; // more than the noise of any place
+  const Labels labels = labelsOf (scene, both_are_planes);
+  std::size_t on_left = 0;
+  for (const std::uint32_t i : placesOfEither (scene)) {
+    const Eigen::Vector3d& position = scene.places.position[i];
+    const bool is_left_nearer = std::abs (left.fit.plane.distance (position)) <
+                                std::abs (right.fit.plane.distance (position));
+    on_left += is_left_nearer;
+    EXPECT_EQ (labels[i], is_left_nearer ? 0 : 1);
+  }
+  EXPECT_GT (on_left, 10u);
+}
+
+TEST (LabelPlaces, GivesAPlaceOnTwoPlanesToTheOneThatScattersLess)
+{
+  PlaceScene scene = groundInTwo();
+  scene.regions.list[0].fit = scene.regions.list[1].fit;
+  scene.regions.list[0].scatter = 1_cm;
+  scene.regions.list[1].scatter = 2_cm;
+  const Labels labels = labelsOf (scene, both_are_planes);
+  const Indices of_either = placesOfEither (scene);
+  EXPECT_GT (of_either.size(), 100u);
+  for (const std::uint32_t i : of_either)
+    EXPECT_EQ (labels[i], 0);
 }
 
 TEST (LabelPlaces, GivesNoneToWhatIsNoPlane)
