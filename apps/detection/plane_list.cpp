@@ -573,8 +573,15 @@ polygonsIn (const Json& plane)
     return {};
   for (const auto& hole : plane.at ("holes"))
     largest.push_back (hole.get<Ring>());
-  Polygons polygons = plane.value ("parts", Polygons());
-  polygons.insert (polygons.begin(), std::move (largest));
+  Polygons polygons = {std::move (largest)};
+  for (Rings& part : plane.value ("parts", Polygons()))
+    if (!part.empty() && !part.front().empty())
+      polygons.push_back (std::move (part));
+  for (Rings& rings : polygons)
+    rings.erase (std::remove_if (rings.begin(),
+                                 rings.end(),
+                                 [] (const Ring& ring) { return ring.empty(); }),
+                 rings.end());
   return polygons;
 }
 

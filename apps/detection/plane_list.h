@@ -108,7 +108,8 @@ planeObject (std::size_t id,
              const Polygons& parts = {});
 
 /** \brief Reads all parts of a plane from its \ref planeObject: first the one with the
- * hull. Empty if the hull is empty. */
+ * hull. Empty if the hull is empty. As a file may have been edited, other parts and
+ * holes without corners are left out. */
 Polygons
 polygonsIn (const nlohmann::ordered_json& plane);
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -51,6 +53,19 @@ constexpr std::string_view rows_of_letters =
 
 /** \brief Free space around maps, scale bars and color scales [pixel]. */
 constexpr int margin = 12;
+
+/** \brief Whether all coordinates are in the range of float: sizes of shapes beyond it
+ * could overflow. */
+bool
+isDrawable (const MapShape& shape)
+{
+  constexpr double max_coordinate = std::numeric_limits<float>::max();
+  for (const auto& ring : shape.rings)
+    for (const Eigen::Vector3d& corner : ring)
+      if (!(corner.array().abs() <= max_coordinate).all())
+        return false;
+  return true;
+}
 
 /** \brief Transforms x and y of a map to columns and rows of the left half of an image.
  */
@@ -272,6 +287,8 @@ savePng (const std::string& file, const Image& image, int columns)
 Image
 mapPicture (std::vector<MapShape> shapes)
 {
+  shapes.erase (std::remove_if (shapes.begin(), shapes.end(), std::not_fn (isDrawable)),
+                shapes.end());
   std::stable_sort (shapes.begin(), shapes.end(), [] (const auto& a, const auto& b) {
     return a.height < b.height;
   });

@@ -76,7 +76,8 @@ struct MapShape {
 
 /** \brief Draws planes twice as seen from above, with y upwards in the image: left each
  * plane in its own color, and a scale bar; right each plane in the color of its
- * orientation, and a legend. */
+ * orientation, and a legend. Planes with coordinates beyond the range of float, as a
+ * damaged list of planes may have them, are left out. */
 Image
 mapPicture (std::vector<MapShape> shapes);
 

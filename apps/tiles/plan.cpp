@@ -191,6 +191,7 @@ firstWithPoints (const std::vector<InputSample>& samples)
 std::vector<InputSample>
 sampleInputs (const std::vector<std::string>& files)
 {
+  // Both are chosen by hand.
   constexpr std::size_t usual_sample_size = 16384; // of all files together
   constexpr std::size_t min_per_file = 64;         // if there are many files
   const std::size_t max_per_file = std::max (
@@ -257,7 +258,7 @@ commonToLas (const std::vector<PlannedInput>& inputs, Value (*read) (LasFile&))
   return common;
 }
 
-/** \brief Whether the lengths of a plan file are valid. */
+/** \brief Whether the lengths and cells of a plan file are valid. */
 bool
 hasValidLengths (const Plan& plan)
 {
@@ -266,7 +267,12 @@ hasValidLengths (const Plan& plan)
   const bool is_tile_valid = grid.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
                              grid.cells_of_tile >= TileGrid::halo &&
                              grid.cells_of_tile <= TileGrid::max_cells;
-  return is_edge_valid && is_tile_valid && plan.meter > 0.0;
+  const bool is_cell_valid = std::all_of (
+      grid.cell_near_points.begin(), grid.cell_near_points.end(), [] (auto number) {
+        return number % TileGrid::cells_of_coarsest == 0 &&
+               number >= -TileGrid::max_cells && number <= TileGrid::max_cells;
+      });
+  return is_edge_valid && is_tile_valid && is_cell_valid && plan.meter > 0.0;
 }
 
 } // namespace
@@ -324,6 +330,7 @@ commonCrs (const Plan& plan)
 std::string
 toText (const Plan& plan)
 {
+  // The keys are part of the format.
   nlohmann::ordered_json json = {{"format", format_version},
                                  {"cell", plan.grid.edge},
                                  {"cells_of_tile", plan.grid.cells_of_tile},

@@ -264,7 +264,8 @@ outlineOf (const std::vector<OutlineEdge>& edges,
   // How far the outermost points lie inside the boundary; measured on simulated roofs
   // and facades.
   constexpr double margin_in_spacings = 0.3;
-  const double spacing = std::sqrt (area / points);
+  // Holes of overlapping rings may have a larger area than the parts together.
+  const double spacing = std::sqrt (std::max (0.0, area) / points);
   for (PlanarRings& part : outline)
     for (PlanarPoints& ring : part)
       ring = movedOutwards (ring, margin_in_spacings * spacing);

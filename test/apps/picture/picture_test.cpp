@@ -321,6 +321,16 @@ TEST (MapPicture, ShowsTheUpperPlaneInBothHalvesAndTheLowerPlaneInItsHole)
       pixelsWith (colorOf (Orientation::Other)), 3 * of_ground, 0.02 * of_ground);
 }
 
+TEST (Map, LeavesOutPlanesThatAreTooFarAway)
+{
+  const MapShape ground{
+      1, Orientation::Horizontal, 0.0, {{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}}}};
+  constexpr double far = 1.7e308; // twice this is infinite
+  const MapShape damaged{
+      2, Orientation::Other, 1.0, {{{far, -far, 0}, {-far, far, 0}, {0, 0, 0}}}};
+  EXPECT_EQ (mapPicture ({ground, damaged}).bytes, mapPicture ({ground}).bytes);
+}
+
 namespace {
 
 /** \brief The memory in the line of /proc/self/status with this name [byte]; 0 without

@@ -203,6 +203,23 @@ TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
   }
 }
 
+TEST (Outline, StaysWhereHolesAreLargerThanItsPart)
+{
+  // A part of 10 m x 10 m counter-clockwise, and beside it two rings of 9 m x 9 m
+  // clockwise, as edges that two tiles do not share may leave them.
+  std::vector<OutlineEdge> edges;
+  const auto add_ring = [&edges] (const std::vector<LatticePoint>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      edges.push_back ({ring[i], ring[(i + 1) % ring.size()]});
+  };
+  add_ring ({{0, 0, 0}, {1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}});
+  for (const std::int64_t x : {2000, 4000})
+    add_ring ({{x, 0, 0}, {x, 900, 0}, {x + 900, 900, 0}, {x + 900, 0, 0}});
+  const auto outline = outlineOf (edges);
+  ASSERT_EQ (outline.size(), 1u);
+  EXPECT_NEAR (areaOf ({outline[0][0]}), 100.0, 1e-3);
+}
+
 TEST (Outline, OfNoPointsOrALineIsEmpty)
 {
   EXPECT_TRUE (outlineEdges ({}, up, cell / lattice).empty());
