@@ -33,26 +33,31 @@ bytesThatFollow (unsigned char first)
 }
 
 /** \brief Returns UTF-8 text as ASCII: characters beyond ASCII become \U+XXXX, as DXF
- * has them, and control characters become blanks. */
+ * has them, or a question mark where four digits are too few. Control characters become
+ * blanks. */
 std::string
 asciiOf (const std::string& text)
 {
-  constexpr unsigned char last_ascii = 0x7f;
+  constexpr unsigned char last_ascii = 0x7f; // a control character, as those below ' '
+  constexpr unsigned last_of_four_digits = 0xffff;
   // A byte that follows the first one of a character has six bits of its code.
   constexpr unsigned bits_of_following = 6, mask_of_following = 0x3f;
   std::string ascii;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto first = static_cast<unsigned char> (text[i]);
     if (first <= last_ascii) {
-      ascii += first < ' ' ? ' ' : text[i];
+      ascii += first < ' ' || first == last_ascii ? ' ' : text[i];
       continue;
     }
     const int following = bytesThatFollow (first);
+    // The first byte has five, four or three bits of the code if one, two or three
+    // bytes follow.
     unsigned code = first & (mask_of_following >> following);
     for (int k = 0; k < following && i + 1 < text.size(); ++k)
       code = code << bits_of_following |
              (static_cast<unsigned char> (text[++i]) & mask_of_following);
-    ascii += str (boost::format ("\\U+%04X") % code);
+    ascii +=
+        code <= last_of_four_digits ? str (boost::format ("\\U+%04X") % code) : "?";
   }
   return ascii;
 }
@@ -60,12 +65,11 @@ asciiOf (const std::string& text)
 // The first argument of `put` is a group code: it says what the value behind it is
 // (AutoCAD 2000 DXF reference). These codes mean the same in all objects:
 //   0           the type of an object, or the beginning or end of a section or table
-//   1, 2        a text, a name
-//   5           the handle of the object, a unique hexadecimal number
-//   8           the layer
-//   10, 20, 30  x, y and z of a point; 11, 21, 31 of a second point
-//   100         the class that the following codes belong to
-//   330         the handle of the owner
+//   1, 2, 3     a text, a name, a second name or a description
+//   5           the handle of the object, a unique hexadecimal number; in a DIMSTYLE
+//   105 8           the layer 10, 20, 30  x, y and z of a point; 11, 21, 31 of a second
+//   point 100         the class that the following codes belong to 330         the
+//   handle of the owner
 // The meaning of others depends on the type: 40 to 49 are lengths and factors, 70 to 79
 // flags and numbers of elements.
 
@@ -74,7 +78,8 @@ class DxfText {
 public:
   DxfText()
   {
-    constexpr int digits = 12;
+    constexpr int digits =
+        12; // 10^7 m from zero a coordinate has tenths of a millimeter
     text_.imbue (std::locale::classic());
     text_ << std::setprecision (digits);
   }
@@ -103,6 +108,7 @@ public:
   std::string
   beginObject (const char* type, const std::string& owner)
   {
+    // In a DIMSTYLE 5 is the name of a block.
     const int handle_code = std::string (type) == "DIMSTYLE" ? 105 : 5;
     const std::string handle = str (boost::format ("%X") % ++last_handle_);
     put (0, type).put (handle_code, handle);
@@ -178,9 +184,12 @@ putHeaderSections (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
 {
   // 9 is the name of a variable; its value follows.
   constexpr int metric = 1;
+  // The next free handle: as the objects are written later, a number above all of
+  // theirs.
+  constexpr const char* handle_seed = "FFFFFF";
   dxf.put (0, "SECTION").put (2, "HEADER");
   dxf.put (9, "$ACADVER").put (1, "AC1015");
-  dxf.put (9, "$HANDSEED").put (5, "FFFFFF");
+  dxf.put (9, "$HANDSEED").put (5, handle_seed);
   dxf.put (9, "$INSUNITS").put (70, unitNumber (meter));
   dxf.put (9, "$MEASUREMENT").put (70, metric);
   dxf.put (9, "$EXTMIN").putPoint (10, box.min());
@@ -259,10 +268,11 @@ constexpr const char* dashed = "DASHED";
 void
 putLineTypes (DxfText& dxf)
 {
-  constexpr int alignment = 65;           // the only one there is, the letter A
-  constexpr double dash = 0.2, gap = 0.1; // [m]
+  constexpr int alignment = 65; // the only one there is, the letter A
+  // In the unit of the drawing: only plans, which are in meters, have dashes.
+  constexpr double dash = 0.2, gap = 0.1;
   putTable ("LTYPE", 4, dxf, [&] (const std::string& table) {
-    // 3 description, 72 alignment, 73 number of dashes and gaps, 40 length of all of
+    // 72 alignment, 73 number of dashes and gaps, 40 length of all of
     // them, 49 length of each (that of a gap is negative), 74 no symbol in it
     for (const char* const name : {"ByBlock", "ByLayer", "Continuous"})
       putEntry ("LTYPE", "AcDbLinetypeTableRecord", name, table, dxf)
@@ -365,6 +375,7 @@ putBlocks (DxfText& dxf)
     dxf.put (0, "BLOCK").put (5, space.begin).put (330, space.handle);
     dxf.putClass ("AcDbEntity").put (8, "0").putClass ("AcDbBlockBegin");
     dxf.put (2, space.name).put (70, 0).putPoint (10, Eigen::Vector3d::Zero());
+    // DXF repeats the name. 1 is the file that has the block, none for this one.
     dxf.put (3, space.name).put (1, "");
     dxf.put (0, "ENDBLK").put (5, space.end).put (330, space.handle);
     dxf.putClass ("AcDbEntity").put (8, "0").putClass ("AcDbBlockEnd");

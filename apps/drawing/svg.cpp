@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <boost/algorithm/string/replace.hpp>
+
 #include <Eigen/Geometry>
 
 #include "drawing.h"
@@ -22,8 +24,12 @@ constexpr double paper_margin = 10.0; // [mm]
 std::string
 escaped (const std::string& text)
 {
+  std::string characters = validUtf8 (text);
+  // U+FFFE and U+FFFF, which XML does not allow, become U+FFFD.
+  for (const char* const forbidden : {"\xef\xbf\xbe", "\xef\xbf\xbf"})
+    boost::replace_all (characters, forbidden, "\xef\xbf\xbd");
   std::string xml;
-  for (const char c : validUtf8 (text))
+  for (const char c : characters)
     switch (c) {
     case '&':
       xml += "&amp;";
@@ -96,9 +102,10 @@ paperFor (const Drawing& drawing)
 void
 putScaleBar (const Paper& paper, std::ostream& svg)
 {
-  constexpr double max_width = 50.0; // on paper [mm]
-  constexpr double tick = 1.5;       // height of the bar's ends [mm]
-  constexpr double gap = 3.0;        // between the bar and its text [mm]
+  // Lengths on paper [mm].
+  constexpr double max_width = 50.0;
+  constexpr double tick = 1.5; // height of the bar's ends
+  constexpr double gap = 3.0;  // between the bar and its text
   const double max_length = max_width * paper.scale / millimeters_of_meter; // [m]
   double length = std::pow (10.0, std::floor (std::log10 (max_length)));
   for (const double factor : {5.0, 2.0})
