@@ -12,13 +12,17 @@ namespace {
 
 using Eigen::Vector3d;
 
+/** \brief Number of points of the ball inside a box. Chosen by hand: enough for the
+ * detector to find planes in the box, few enough to take little time. */
+constexpr double points_of_ball = 3000.0;
+
 /** \brief Returns half the edge of a cube with some thousand points of the survey [m]:
- * the radius of a ball around the center that has 3000 points, as the sample tells.
+ * the radius of a ball around the center that has \ref points_of_ball, as the sample
+ * tells.
  * \param[in] sampled_share share of the survey's points that are in the sample */
 double
 halfEdgeAround (const Vector3d& center, const PlaneSample& sample, double sampled_share)
 {
-  constexpr double points_of_ball = 3000.0;
   constexpr std::size_t min_sampled = 8; // fewer tell little of the density
   std::vector<double> squared_distances;
   for (const SampledPoints& group : sample.groups)
@@ -34,7 +38,8 @@ halfEdgeAround (const Vector3d& center, const PlaneSample& sample, double sample
   return std::sqrt (squared_distances[farthest]);
 }
 
-/** \brief Chooses the boxes, which have no points yet. */
+/** \brief Chooses the boxes, which have no points yet: at most 19. Their numbers are
+ * chosen by hand, as a detection runs in each box. */
 std::vector<DenseBox>
 emptyBoxes (const PlaneSample& sample)
 {
@@ -71,6 +76,8 @@ denseBoxes (const nlohmann::ordered_json& list,
             const PlaneSample& sample,
             const ForEachLabeledPoint& for_each_point)
 {
+  // A cube has up to twice (6 / pi times) the points of the ball in it. More points
+  // than this bound are only where the sample tells too low a density.
   constexpr std::size_t max_points = 20'000; // of a box
   std::vector<std::uint32_t> ids;
   for (const auto& plane : list.at ("planes"))
@@ -84,6 +91,8 @@ denseBoxes (const nlohmann::ordered_json& list,
       if (!dense.box.contains (point) || dense.points.size() >= max_points)
         continue;
       const bool is_on_plane = dense.group < ids.size();
+      // Around a point on no plane, a warning asks whether smaller voxels put points
+      // that are on no plane on one: points of planes must not count.
       if (is_on_plane || !std::binary_search (ids.begin(), ids.end(), label))
         dense.points.push_back ((point - dense.box.center()).cast<float>());
     }

@@ -11,16 +11,17 @@
 
 namespace pcl_ops::apps {
 
-/** \brief All survey points in a box around a sampled point, also those that are not in
- * the sample. */
+/** \brief Survey points in a box around a sampled point, also those that are not in the
+ * sample. */
 struct DenseBox {
   /** \brief Group of the sampled point: the position of its plane in the list of
    * planes, or the number of planes if it is on no plane. */
   std::size_t group = 0;
   /** \brief In the frame of the survey [m]. */
   Eigen::AlignedBox3d box;
-  /** \brief Relative to the center of the box, at most 20,000: further points are left
-   * out. Around a point on no plane, only points on no plane are kept. */
+  /** \brief All points in the box relative to its center; around a point on no plane,
+   * all points on no plane. Of more than 20,000 the first ones in the order of the
+   * survey. */
   std::vector<Eigen::Vector3f> points;
 };
 

@@ -76,6 +76,8 @@ struct ExactMoments {
 inline double
 momentsUnit (double cell_edge)
 {
+  // Rounding then moves a point along an axis by less than a four-thousandth of the
+  // usual spacing of points on a surface, which has 20 of them in a cell.
   constexpr double min_units_per_cell = 1e4;
   return std::exp2 (std::floor (std::log2 (cell_edge / min_units_per_cell)));
 }

@@ -98,14 +98,10 @@ finishOutput (const CommandLine& line, PlanesOutput& output)
     throw UsageError ("--plan-height", "is about --floor-plan; give it, too");
 }
 
-/** \return false if it printed --help or --version: nothing is left to do
- * \throws UsageError */
-bool
-readOptions (int argc, const char* const* argv, TilesOptions& options)
+/** \brief Declares where the outputs go, and how the survey is divided into tiles. */
+void
+declareTiling (CommandLine& line, TilesOptions& options)
 {
-  CommandLine line (program_name, summary, PCL_OPS_VERSION);
-  line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
-  line.addArguments ("INPUT", options.inputs, "");
   line.add ("output-dir DIR", options.output_dir).help ("where the outputs go");
   line.add ("voxel-size M", options.plan.voxel_size, from (1e-30).upTo (1e30))
       .help ("edge of a voxel (by the density: some 20 points in one)")
@@ -116,6 +112,17 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
       .help ("tiles at a time; 0: one for each processor (1)");
   line.add ("plan FILE", options.plan_file)
       .help ("the plan to follow; written if there is none (DIR/work/plan.json)");
+}
+
+/** \return false if it printed --help or --version: nothing is left to do
+ * \throws UsageError */
+bool
+readOptions (int argc, const char* const* argv, TilesOptions& options)
+{
+  CommandLine line (program_name, summary, PCL_OPS_VERSION);
+  line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
+  line.addArguments ("INPUT", options.inputs, "");
+  declareTiling (line, options);
   declareOutput (line, options.output);
   double meter = 1.0;
   declareMeter (line, meter);
@@ -201,26 +208,37 @@ inputsOf (const TilesOptions& options)
   return eachFileOnce (std::move (found.files));
 }
 
+/** \brief By the name of a file the input whose labeled copy is written to it; empty
+ * for a file that is an input, a plan or another output. */
+using InputOfFile = std::map<std::string, std::string>;
+
+/** \brief Returns the inputs, the plan of the folder, and the file of --plan.
+ * \throws UsageError if the file of --plan is an input or planes.json, too */
+InputOfFile
+inputsAndPlans (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
+{
+  InputOfFile files;
+  for (const PlannedInput& input : plan.inputs)
+    files.emplace (resolvedName (input.file), "");
+  const std::string own_plan = resolvedName (folder.work (run_file::plan));
+  files.emplace (own_plan, "");
+  if (options.plan_file.empty())
+    return files;
+  const std::string name = resolvedName (options.plan_file);
+  const bool is_new = files.emplace (name, "").second;
+  if ((!is_new && name != own_plan) ||
+      name == resolvedName (folder.output (planes_file)))
+    throw UsageError (options.plan_file,
+                      "is an input or another output; give another --plan");
+  return files;
+}
+
 /** \brief Refuses outputs that would be written over each other or over an input.
  * \throws UsageError, or WorkError as \ref checkWritable */
 void
 checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
 {
-  // Key: name of a file. Value: the input that is written to it; empty for a file that
-  // is an input or another output.
-  std::map<std::string, std::string> input_of_file;
-  for (const PlannedInput& input : plan.inputs)
-    input_of_file.emplace (resolvedName (input.file), "");
-  const std::string own_plan = resolvedName (folder.work (run_file::plan));
-  input_of_file.emplace (own_plan, "");
-  if (!options.plan_file.empty()) {
-    const std::string name = resolvedName (options.plan_file);
-    const bool is_new = input_of_file.emplace (name, "").second;
-    if ((!is_new && name != own_plan) ||
-        name == resolvedName (folder.output (planes_file)))
-      throw UsageError (options.plan_file,
-                        "is an input or another output; give another --plan");
-  }
+  InputOfFile input_of_file = inputsAndPlans (plan, folder, options);
   checkWritable (folder.output (planes_file));
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     const std::string output = outputOf (plan, folder, i);
@@ -481,6 +499,29 @@ lockFolder (const std::string& folder, std::optional<FolderLock>& lock)
                      "another --output-dir");
 }
 
+/** \brief Writes planes.json, unless an earlier run has, then removes the files of the
+ * phases, and then writes the files that the options name. A run that stops among these
+ * counts as finished.
+ * \throws WorkError if the list of planes is damaged or a file cannot be written */
+PlaneMessages
+finishRun (const Plan& plan,
+           const RunFolder& folder,
+           const TilesOptions& options,
+           bool is_done)
+{
+  const auto for_each_point = [&] (const VisitLabeledPosition& visit) {
+    forEachLabeledPoint (plan, folder, visit);
+  };
+  if (!is_done)
+    folder.finish ([&] (const std::string& list) {
+      return withWarnings (plan, options.plan.meter.has_value(), list, for_each_point);
+    });
+  folder.removePhaseFiles();
+  return saveChosenPlanes (folder.output (planes_file),
+                           for_each_point,
+                           withUnitAndCrsOf (plan, options.output));
+}
+
 /** \brief Runs the program together with all other ranks. Each part of a phase ends
  * with a file; a later run leaves out the parts whose files exist.
  * \return exit code */
@@ -512,18 +553,7 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
       is_done ? "" : TileRun{plan, folder, options, ranks}.run() + "\n";
   if (!is_first)
     return ExitCode::done;
-  const auto for_each_point = [&] (const VisitLabeledPosition& visit) {
-    forEachLabeledPoint (plan, folder, visit);
-  };
-  if (!is_done)
-    folder.finish ([&] (const std::string& list) {
-      return withWarnings (plan, options.plan.meter.has_value(), list, for_each_point);
-    });
-  folder.removePhaseFiles();
-  const PlaneMessages messages =
-      saveChosenPlanes (folder.output (planes_file),
-                        for_each_point,
-                        withUnitAndCrsOf (plan, options.output));
+  const PlaneMessages messages = finishRun (plan, folder, options, is_done);
   if (prints)
     printResult (options.output_dir, times, messages);
   return ExitCode::done;

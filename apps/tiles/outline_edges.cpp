@@ -41,7 +41,8 @@ struct Site {
  *
  * It is the axis of the largest weighted component of the normal. Without weights the
  * axes of a roof of 45 degrees, or of a wall between two axes, could differ between
- * tiles. */
+ * tiles. With the weights they could differ for slopes of 54 degrees along x and of 61
+ * along y, and for walls at 52 degrees to the y axis, which are rarer. */
 std::vector<Site>
 sitesOf (const std::vector<OutlinePoint>& points,
          const Eigen::Vector3d& normal,
@@ -125,7 +126,8 @@ void
 markUnthinned (OccupiedSquares& squares)
 {
   // The circumcircle of a triangle of a dense plane is at most three cells wide
-  // (maxCircumradius). Sparser planes have wider circles, but fewer points to thin.
+  // (maxCircumradius); one more is a margin. Sparser planes have wider circles, but
+  // fewer points to thin.
   constexpr std::int64_t reach_of_triangles = 4;
   for (auto& [square, state] : squares) {
     bool is_at_rim = false;
@@ -233,6 +235,9 @@ isKept (const VoronoiVertex& vertex, const std::vector<Site>& sites, double max_
 double
 outlineUnit (double cell_edge)
 {
+  // A power of two, so that the lattice is a part of that of the moments. Larger units
+  // would make the outline coarse, smaller ones the reach of the diagram short
+  // (removeFarSites).
   constexpr double in_moments_units = 128.0;
   return in_moments_units * momentsUnit (cell_edge);
 }

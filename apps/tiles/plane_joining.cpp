@@ -93,6 +93,8 @@ addPairs (const std::vector<BorderVoxel>& a,
     for (auto other = in_b; other != b.end() && other->cell == voxel.cell; ++other)
       ++shared_cells[{voxel.piece, other->piece}];
   }
+  // Chosen by hand. It only limits which pairs are tested: PieceGroups::join decides
+  // whether two pieces are one plane.
   constexpr std::uint32_t min_shared_cells = 3;
   for (const auto& [pieces, cells] : shared_cells) {
     const auto [piece_of_a, piece_of_b] = pieces;
@@ -195,8 +197,8 @@ joinPlanes (const std::vector<TileKey>& tiles,
             const std::function<TilePlanes (const TileKey&)>& load)
 {
   std::vector<TilePiece> pieces;
-  std::vector<std::size_t>
-      first_piece; // of each tile, by its position among all pieces
+  // Of each tile, by its position among all pieces.
+  std::vector<std::size_t> first_piece;
   for (const TileKey& tile : tiles) {
     first_piece.push_back (pieces.size());
     for (TilePiece& piece : load (tile).pieces)

@@ -17,7 +17,7 @@ root = pathlib.Path(__file__).parents[2]
 
 
 def version():
-    """The version of the CMake project, which is not written anywhere else."""
+    """The version of the CMake project, "X.Y.Z"; scripts/check compares its other places."""
     return re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text())[1]
 
 

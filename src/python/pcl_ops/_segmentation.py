@@ -71,14 +71,8 @@ def segment(
     array = points_array(points)
     single, origin = single_precision(array)
     cloud = single, origin, sensor
-    found_up = None  # direction and confidence, for up="auto"
-    up_warning = None
     is_up_given = "up" in parameters
-    if _is_auto(parameters.get("up")):
-        found_up = _up_of_default(cloud, parameters)
-        up_warning = None if found_up else ResultWarning(
-            "unknown-up", "up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)")
-        parameters["up"] = (0.0, 0.0, 1.0) if found_up is None else found_up[0]
+    found_up, up_warning = _set_auto_up(cloud, parameters)
     used = with_given(preset_parameters, parameters)
     segments, voxel_size, distance_threshold = _pcl_ops.segment(*cloud, used)
     if not is_up_given and (method, preset) == ("ops", "default"):
@@ -104,10 +98,15 @@ def segment(
         others.insert(0, up_warning)
     for warning in others[:MAX_WARNINGS]:
         planes._warn(warning, 3)
-    labels = np.full(len(array), -1, np.int32)
+    return _labels_by(planes, len(array)).reshape(np.shape(points)[:-1]), planes
+
+
+def _labels_by(planes: FoundPlanes, point_count: int) -> Labels:
+    """For each point the position in planes of the plane it is on, -1 for no plane."""
+    labels = np.full(point_count, -1, np.int32)
     for number, plane in enumerate(planes):
         labels[plane.inliers] = number
-    return labels.reshape(np.shape(points)[:-1]), planes
+    return labels
 
 
 # What the extension gets of a cloud: the points, the origin that they are relative to, and the
@@ -115,12 +114,28 @@ def segment(
 _Cloud = Tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float64]]
 
 
-def _is_auto(up: Any) -> bool:
-    return isinstance(up, str) and up == "auto"
+# Direction and confidence of an up axis.
+_FoundUp = Tuple[NDArray[np.float64], float]
 
 
-def _up_of(cloud: _Cloud, segments: Any) -> Optional[Tuple[NDArray[np.float64], float]]:
-    """Direction and confidence of the up axis that the planes tell.
+def _set_auto_up(
+    cloud: _Cloud, parameters: Dict[str, Any]
+) -> Tuple[Optional[_FoundUp], Optional[ResultWarning]]:
+    """If up is "auto", replaces it among the parameters by the axis that the planes tell, or by z.
+
+    Returns that axis, and a warning if the planes tell none; (None, None) for another up.
+    """
+    up = parameters.get("up")
+    if not (isinstance(up, str) and up == "auto"):
+        return None, None
+    found = _up_of_default(cloud, parameters)
+    parameters["up"] = (0.0, 0.0, 1.0) if found is None else found[0]
+    return found, None if found else ResultWarning(
+        "unknown-up", "up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)")
+
+
+def _up_of(cloud: _Cloud, segments: Any) -> Optional[_FoundUp]:
+    """The up axis that the planes tell.
 
     None if they tell none, or if the points cannot have been seen from the sensor's position.
     """
@@ -129,9 +144,7 @@ def _up_of(cloud: _Cloud, segments: Any) -> Optional[Tuple[NDArray[np.float64], 
     return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
 
 
-def _up_of_default(
-    cloud: _Cloud, parameters: Dict[str, Any]
-) -> Optional[Tuple[NDArray[np.float64], float]]:
+def _up_of_default(cloud: _Cloud, parameters: Dict[str, Any]) -> Optional[_FoundUp]:
     """The same as _up_of, by planes that the default preset finds in the cloud.
 
     What the confidence means was measured for such planes.
