@@ -169,6 +169,11 @@ class Reader(unittest.TestCase):
         self.assertEqual(cloud.fields["label"].tolist(), [0, 7])
         self.assertEqual(cloud.labels.tolist(), [-1, 6])
 
+    def test_labels_of_a_text_that_are_no_numbers_are_no_plane(self):
+        cloud = pcl_ops.read(self.file("a.xyz", (
+            "# x y z label\n0 0 0 nan\n1 0 0 2\n2 0 0 inf\n3 0 0 1e300\n4 0 0 0\n")))
+        self.assertEqual(cloud.labels.tolist(), [-1, 1, -1, -1, -1])
+
     def test_reads_coordinates_of_a_las_in_double_precision(self):
         millimeters = np.random.default_rng(1).integers(0, 10**6, (500, 3))
         expected = np.array([5e5, 5.4e6, 300.0]) + millimeters * 0.001
@@ -250,6 +255,10 @@ def wrong_writes(points, labels, survey):
          "cloud: the field a has 29500 of bool for 29500 points"),
         ("b.pcd", survey._replace(fields={"a b": np.ones(29500)}), {}, ValueError,
          "cloud: the field 'a b' has a name that files cannot have"),
+        ("b.pcd", survey._replace(fields={"a\0b": np.ones(29500)}), {}, ValueError,
+         "cloud: the field 'a\\x00b' has a name that files cannot have"),
+        ("b.pcd", survey._replace(fields={"a": np.ones((29500, 0))}), {}, ValueError,
+         "cloud: the field a has no number for a point; leave it out"),
         ("b.pcd", survey._replace(fields={"a": [1.0] * 29500}), {}, TypeError,
          "cloud: the field a is a list; give an array of NumPy"),
         ("b.pcd", survey._replace(fields={5: np.ones(29500)}), {}, ValueError,

@@ -307,6 +307,8 @@ class Maps(unittest.TestCase):
             ("map.csv", planes, {"labels": [7, 8, 7]}, ValueError, "labels: 7 is there twice"),
             ("map.csv", planes, {"labels": [0, 1, -2]}, ValueError,
              "labels: have to be 0 or more, not -2"),
+            ("map.csv", planes, {"labels": np.uint64([0, 1, 2**63])}, ValueError,
+             r"labels: have to be below 2\^63, not 9223372036854775808"),
             ("map.csv", planes, {"hull": "round"}, ValueError, "hull: has to be 'convex' or"),
             ("map.csv", [1], {}, TypeError, "planes: not a list"),
             ("none/map.csv", planes, {}, OSError, "none/map.csv"),

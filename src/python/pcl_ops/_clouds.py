@@ -42,11 +42,15 @@ class Cloud(NamedTuple):
     @property
     def labels(self) -> Optional[Union[NDArray[np.int32], NDArray[np.int64]]]:
         """(N,): the labels of the field label, in which files have 0 for no plane, as segment has
-        them: -1 for no plane; int64 if one is above 2^31 - 1. None if there is no such field."""
+        them: -1 for no plane, also where it is NaN, as it may be in a text; int64 if one is above
+        2^31 - 1. None if there is no such field."""
         field = self.fields.get("label")
         if field is None:
             return None
-        labels = np.maximum(field.astype(np.int64) - 1, -1)
+        if field.dtype.kind == "f":
+            largest = 2.0**53  # of the whole numbers that all have a double of their own
+            field = np.where(np.abs(field) <= largest, field, 0.0)  # other casts are undefined
+        labels = np.maximum(field.astype(np.int64), 0) - 1
         needs_int64 = labels.max(initial=-1) > np.iinfo(np.int32).max
         return labels if needs_int64 else labels.astype(np.int32)
 
@@ -149,7 +153,7 @@ def _checked_cloud(given: Any) -> Cloud:
     if count % cloud.height:
         raise ValueError(f"cloud: {count} points are no image of {cloud.height} rows")
     for name, field in cloud.fields.items():
-        if not isinstance(name, str) or name.split() != [name]:
+        if not isinstance(name, str) or name.split() != [name] or not name.isprintable():
             raise ValueError(f"cloud: the field {name!r} has a name that files cannot have")
         if not isinstance(field, np.ndarray):
             raise TypeError(f"cloud: the field {name} is a {type(field).__name__}; give an array of NumPy")
@@ -157,6 +161,8 @@ def _checked_cloud(given: Any) -> Cloud:
             rows = len(field) if field.ndim else 1
             raise ValueError(f"cloud: the field {name} has {rows} of {field.dtype} for "
                              f"{count} points")
+        if 0 in field.shape[1:]:
+            raise ValueError(f"cloud: the field {name} has no number for a point; leave it out")
     return cloud
 
 
@@ -251,7 +257,7 @@ def _rows_of_message(msg: Any) -> NDArray[Any]:
                            "itemsize": msg.point_step})
         return np.ndarray((msg.height, msg.width), layout, data,
                           strides=(row_step, msg.point_step))
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(f"msg: its fields, steps and data do not fit: {error}") from None
 
 

@@ -80,6 +80,9 @@ def _ids(labels: Any, plane_count: int) -> Sequence[int]:
     array = array_of("labels", labels, "iu", "0", (plane_count,), "planes")
     if array.min() < 0:
         raise ValueError(f"labels: have to be 0 or more, not {array.min()}")
+    # Compared as int: NumPy would compare both as floats. A GeoPackage has no larger ids.
+    if int(array.max()) > np.iinfo(np.int64).max:
+        raise ValueError(f"labels: have to be below 2^63, not {array.max()}")
     distinct, counts = np.unique(array, return_counts=True)
     if counts.max() > 1:
         raise ValueError(f"labels: {distinct[counts.argmax()]} is there twice; give each plane its own")
