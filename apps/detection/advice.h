@@ -187,7 +187,8 @@ adviceOn (const KernelHoughTransformParameters& parameters,
                       ") for more of them");
 }
 
-/** \brief Advice is given if a smaller share of the finite points is on planes. */
+/** \brief Advice is given if a smaller share of the finite points is on planes. This
+ * share and the next one are chosen by hand. */
 constexpr double min_share_on_planes = 0.05;
 
 /** \brief The same bound if --voxel-size is given. It is higher, as voxels that hold
@@ -274,6 +275,7 @@ roundedToOneDigit (double number)
 inline std::string
 hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
+  // Chosen by hand.
   constexpr double min_thick_share = 0.6; // of the points on planes
   constexpr std::size_t max_candidates = 4;
   constexpr std::size_t probes = 8; // points of each candidate

@@ -11,8 +11,8 @@ namespace pcl_ops::apps {
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& axes)
 {
-  // The largest angle between the axes of a group and its candidate: each of them may
-  // differ from the true axis by half of this angle.
+  // The largest angle between the axes of a group and its candidate, chosen by hand:
+  // each of them may differ from the true axis by half of this angle.
   constexpr double max_degrees_apart = 15.0;
   const double min_cosine = std::cos (toRadians (max_degrees_apart));
   // In these groups the direction is a weighted sum, and the confidence is a sum.

@@ -407,7 +407,7 @@ mostFrequentLabel (const PlaneSegment& plane, const std::vector<std::uint32_t>& 
 double
 roundedUp (double length)
 {
-  constexpr double min_length = 1e-3; // [unit of the cloud]
+  constexpr double min_length = 1e-3; // [unit of the cloud]; chosen by hand
   const double at_least = std::max (length, min_length);
   const double unit = std::pow (10.0, std::floor (std::log10 (at_least)));
   constexpr double rounding = 1e-9; // e.g. 0.3 / 0.1 is a little below 3

@@ -42,6 +42,8 @@ projectedHull (const PlaneExtent& extent, const PlaneFrame& frame)
 std::optional<double>
 distanceIfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
 {
+  // The limits are chosen by hand. Whether the pair merges is checked later, by a
+  // detection (addHintOnOverlap in methods.cpp).
   const double max_angle = toRadians (7.0);
   // Planes farther apart are two surfaces, as a board in front of a wall.
   constexpr double max_distance_by_rms = 3.0;
@@ -91,7 +93,7 @@ doOutlinesOverlap (const PlaneExtent& larger,
                    const Eigen::Vector3d& normal,
                    std::size_t inliers_of_smaller)
 {
-  constexpr double max_gap_in_spacings = 4.0;
+  constexpr double max_gap_in_spacings = 4.0; // chosen by hand
   const PlaneFrame frame (larger.center, normal);
   const Polygon larger_hull = projectedHull (larger, frame);
   const Polygon smaller_hull = projectedHull (smaller, frame);

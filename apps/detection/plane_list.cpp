@@ -141,8 +141,9 @@ meetingPointOf (const Line& a,
                 const Eigen::Vector3d& corner,
                 double tolerance)
 {
-  constexpr double min_squared_sine =
-      0.07; // of an angle of 15 degrees between the lines
+  // Of an angle of 15 degrees between the lines: at smaller ones a little noise would
+  // move the meeting point far along both.
+  constexpr double min_squared_sine = 0.07;
   const double cosine = a.direction().dot (b.direction());
   const double squared_sine = 1.0 - cosine * cosine;
   if (squared_sine < min_squared_sine)
@@ -160,9 +161,8 @@ meetingPointOf (const Line& a,
 
 /** \brief Returns the kept corners. They are moved: between two kept corners a line is
  * fitted to all corners of the ring, and a kept corner moves to where two such lines
- * meet
- * (\ref meetingPointOf). Without this the ring would lose area, as noise has moved some
- * of the corners between the kept ones outwards.
+ * meet (\ref meetingPointOf). Without this the ring would lose area, as noise has moved
+ * some of the corners between the kept ones outwards.
  * \param[in] kept ascending indices of corners of the ring */
 Ring
 withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double tolerance)
@@ -285,7 +285,8 @@ columnsOf (const Json& plane)
 }
 
 /** \brief Returns the number of decimals of coordinates: as many as a thousandth of the
- * smallest width of a plane needs, but at least 3 and at most 12. */
+ * smallest width of a plane needs, but at least 3, millimeters, and at most 12, as a
+ * double has hardly more digits. */
 int
 decimalsFor (const Json& planes)
 {

@@ -13,7 +13,8 @@ namespace pcl_ops::apps {
 PointSample::PointSample (const std::vector<std::size_t>& sizes, std::size_t max_points)
 : groups_ (sizes.size())
 {
-  constexpr std::size_t wanted_quota = 100; // the least number of points of a group
+  // The least number of points of a group, chosen by hand: it shows where a plane is.
+  constexpr std::size_t wanted_quota = 100;
   const std::size_t all = std::accumulate (sizes.begin(), sizes.end(), std::size_t (0));
   std::size_t min_quota = 0;
   double kept_share = 1.0; // of each group

@@ -3,7 +3,8 @@
 'use strict';
 // Shows the points of a page with WebGL 2. There is a group of points for each plane, with the
 // index of the plane, then one for the points on no plane. Each group is drawn by itself and has
-// a lattice of its own. page.h describes the data.
+// a lattice of its own. page.h describes the data. Factors and limits whose reason is not given are
+// chosen by eye: they change only how the page looks and how fast it moves.
 
 const element = id => document.getElementById(id);
 const json = id => JSON.parse(element(id).textContent);
@@ -91,6 +92,8 @@ function look(target, direction, distance) {
   redraw();
 }
 
+// A sphere of this radius just fits into a square picture at a distance of 1.89 radii; few clouds fill
+// the corners of their box, so that the distance is a little less.
 function lookAtAll() {
   look([0, 0, 0], description.view, 1.8 * radius * Math.max(1, canvas.clientHeight / canvas.clientWidth));
 }
@@ -202,8 +205,8 @@ function isSeen(i, {eye}) {
   return groups[i].isOn && groups[i].isListed && (isFromFront || element('backs').checked);
 }
 
-// Points are squares a little larger than the spacing (overlap), so that surfaces look closed. They are not drawn nearer to
-// the eye than near. The ratio is that of pixels of the screen to those of the page.
+// Points are squares a little larger than the spacing (overlap), so that surfaces look closed. They are
+// not drawn nearer to the eye than near. The ratio is that of pixels of the screen to those of the page.
 function drawPoints(frame, near, ratio) {
   const overlap = 1.4, minSide = 1.5, maxSide = 10; // sides of points: in spacings, and bounds in pixels of the page
   const factor = 2 ** element('size').value, aspect = canvas.height / canvas.width;
@@ -270,9 +273,11 @@ function redrawMoving() {
 
 // ---- over the points: scale bar, axes, the point that was clicked
 
-let chosen = null, chosenBefore = null; // the last point that was clicked, and the one before, relative to the middle
+// The last point that was clicked, and the one before, relative to the middle.
+let chosen = null, chosenBefore = null;
 
-// Positions in the picture and lengths with [pixel] are in pixels of the page, other lengths in the unit of the cloud.
+// Positions in the picture and lengths with [pixel] are in pixels of the page, other lengths in the
+// unit of the cloud.
 function drawMarks(frame, ratio, ink) {
   const {clientWidth: width, clientHeight: height} = canvas, focal = lens * height / 2; // [pixel]
   const line = points => {

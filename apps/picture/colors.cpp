@@ -19,7 +19,8 @@ namespace {
 std::vector<pcl::RGB>
 palette ()
 {
-  // The largest minus the smallest of red, green and blue, which are 0 to 255.
+  // The largest minus the smallest of red, green and blue, which are 0 to 255; chosen
+  // by eye.
   constexpr int min_chroma = 50;
   std::vector<pcl::RGB> colors;
   for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
@@ -87,7 +88,7 @@ ColorScale::ColorScale (const std::vector<float>& values)
   const float low = sorted[std::size_t (share_beyond_end * last_index)];
   const float high = sorted[std::size_t ((1.0 - share_beyond_end) * last_index)];
   smallest = roundedDown (low);
-  // To round the inverse down rounds the number up.
+  // Rounding the inverse down rounds the number up.
   largest = 1.0 / roundedDown (1.0 / double (high));
 }
 

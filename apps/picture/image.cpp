@@ -51,7 +51,8 @@ constexpr std::string_view rows_of_letters =
     "755572622771747747170000225755344437464755755722274444765555255526564465655"
     "722225555271247";
 
-/** \brief Free space around maps, scale bars and color scales [pixel]. */
+/** \brief Free space around maps, scale bars and color scales [pixel]. Like other
+ * lengths here it is chosen by eye. */
 constexpr int margin = 12;
 
 /** \brief Whether all coordinates are in the range of float: sizes of shapes beyond it

@@ -15,6 +15,8 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
+// Angles, shares and distances in this file are chosen by eye.
+
 /** \brief Share of the points at each end of each axis that \ref boxOf leaves out. */
 constexpr double outlier_share = 0.005;
 
@@ -124,7 +126,7 @@ bestSlant (const std::vector<PlaneSegment>& planes,
            const Eigen::Vector3f& up,
            float elevation)
 {
-  constexpr int directions = 24;
+  constexpr int directions = 24; // of which one is chosen, all around the cloud
   const Eigen::Vector3f side = up.unitOrthogonal();
   Eigen::Vector3f best = up;
   // Sums over planes seen from the front: number of inliers times the cosine of the
