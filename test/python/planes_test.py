@@ -5,6 +5,7 @@ and files of planes."""
 
 import copy
 import json
+import os
 import pathlib
 import pickle
 import shutil
@@ -296,7 +297,9 @@ class Maps(unittest.TestCase):
 
     def test_what_does_not_fit_is_refused_and_leaves_files_as_they_are(self):
         (self.folder / "map.csv").write_text("mine")
+        os.mkfifo(self.folder / "pipe.csv")
         for name, some, given, error, said in (
+            ("pipe.csv", planes, {}, OSError, "pipe.csv: is no regular file"),
             ("map.png", planes, {}, ValueError, "map.png: has an unknown extension"),
             ("map.csv", planes, {"crs": "EPSG:25832"}, ValueError, "crs: is about a .geojson"),
             ("map.geojson", planes, {"crs": "25832"}, ValueError, "crs: has to be as 'EPSG:25832'"),
@@ -315,8 +318,9 @@ class Maps(unittest.TestCase):
         ):
             with self.subTest(said), self.assertRaisesRegex(error, said):
                 pcl_ops.write_planes(self.folder / name, some, **given)
-        self.assertEqual([one.name for one in self.folder.iterdir()], ["map.csv"])
+        self.assertEqual(sorted(one.name for one in self.folder.iterdir()), ["map.csv", "pipe.csv"])
         self.assertEqual((self.folder / "map.csv").read_text(), "mine")
+        self.assertTrue((self.folder / "pipe.csv").is_fifo())
 
 
 class UpAxis(unittest.TestCase):

@@ -207,7 +207,7 @@ def _hashes(points: NDArray[np.float64]) -> NDArray[np.uint64]:
 
 
 def _origin_near_most(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The rounded median of a sample of distinct places, as in the programs.
+    """The rounded median of a sample of distinct places, as localOrigin of the programs.
 
     Hashes choose the sample, so that the result is the same for any order of the points. Neither
     single outliers nor many equal points change it much. Zero if no point is finite.

@@ -92,10 +92,15 @@ def _ids(labels: Any, plane_count: int) -> Sequence[int]:
 def _replace_file(name: str, content: bytes) -> None:
     """Writes a file under another name, then renames it.
 
-    If this fails, an existing file stays as it was.
+    If this fails, an existing file stays as it was. Folders, pipes and devices, also behind a
+    link, and files that the user has protected are not replaced, as by the programs.
     """
     target = os.path.realpath(name)
     folder, base = os.path.split(target)
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise OSError(f"{name}: is no regular file; give another name")
+    if os.path.exists(target) and not os.access(target, os.W_OK):
+        raise PermissionError(f"{name}: is write-protected; give another name")
     # Each call has another name, as several threads may write the same file.
     unfinished = os.path.join(folder, f"{base}.{secrets.token_urlsafe(6)}.part")
     # Read and write for all; the system removes the permissions in the user's umask.

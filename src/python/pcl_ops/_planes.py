@@ -271,7 +271,8 @@ class FoundPlanes(List[Plane]):
     def kind(self) -> NDArray[np.str_]:
         """(n,): the kind of each of the n planes; planes.kind == "wall" tells which are walls."""
         self._warn_of_kinds(3)
-        return np.array([plane.kind for plane in self], dtype="<U7")
+        longest = "<U7"  # "ceiling"
+        return np.array([plane.kind for plane in self], dtype=longest)
 
     def as_dict(self) -> Dict[str, List[Any]]:
         """The columns of Plane.as_dict by name, for pandas.DataFrame(planes.as_dict())."""
