@@ -285,8 +285,8 @@ columnsOf (const Json& plane)
 }
 
 /** \brief Returns the number of decimals of coordinates: as many as a thousandth of the
- * smallest width of a plane needs, but at least 3, millimeters, and at most 12, as a
- * double has hardly more digits. */
+ * smallest width of a plane needs, but at least 3 and at most 12, all that a double
+ * near 1000 has. */
 int
 decimalsFor (const Json& planes)
 {

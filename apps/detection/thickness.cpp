@@ -94,7 +94,7 @@ private:
              std::tie (b.squared_distance, b.point);
     }
   };
-  static constexpr std::size_t block_size = 64;
+  static constexpr std::size_t block_size = 64; // chosen by hand
 
   /** \brief Sorts the points from index first up to end, which is not included: divides
    * them into two halves along the longest axis of their bounding box, and each half in

@@ -46,6 +46,7 @@ heightOf (const PlanRoom& room)
 double
 readableLetterHeight (const FloorPlan& plan)
 {
+  // Both are chosen by eye.
   constexpr double min_height = 0.2; // [m]
   constexpr double share_of_diagonal = 0.01;
   Eigen::AlignedBox2d box;

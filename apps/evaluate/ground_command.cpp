@@ -217,8 +217,8 @@ groundCommand (int argc, const char* const* argv)
       answerOf (countsByClass (truth, groundFound (result, rules)), rules);
   if (answer.at ("truth_ground") == 0)
     throw WorkError (truth_file,
-                     "has no point of the classes of the ground; name some of its own "
-                     "by --classes");
+                     "has no point of the classes of the ground that --ignore lets "
+                     "count; name some of its own by --classes");
   print (answer, prints_json);
   return ExitCode::done;
 }

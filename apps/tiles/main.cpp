@@ -103,6 +103,7 @@ void
 declareTiling (CommandLine& line, TilesOptions& options)
 {
   line.add ("output-dir DIR", options.output_dir).help ("where the outputs go");
+  // Voxels that single precision can hold, with a margin.
   line.add ("voxel-size M", options.plan.voxel_size, from (1e-30).upTo (1e30))
       .help ("edge of a voxel (by the density: some 20 points in one)")
       .onceCalled ("cell");
@@ -516,7 +517,7 @@ finishRun (const Plan& plan,
     folder.finish ([&] (const std::string& list) {
       return withWarnings (plan, options.plan.meter.has_value(), list, for_each_point);
     });
-  folder.removePhaseFiles();
+  folder.removePhaseFiles(); // those that cannot be removed do no harm
   return saveChosenPlanes (folder.output (planes_file),
                            for_each_point,
                            withUnitAndCrsOf (plan, options.output));
