@@ -66,10 +66,11 @@ asciiOf (const std::string& text)
 // (AutoCAD 2000 DXF reference). These codes mean the same in all objects:
 //   0           the type of an object, or the beginning or end of a section or table
 //   1, 2, 3     a text, a name, a second name or a description
-//   5           the handle of the object, a unique hexadecimal number; in a DIMSTYLE
-//   105 8           the layer 10, 20, 30  x, y and z of a point; 11, 21, 31 of a second
-//   point 100         the class that the following codes belong to 330         the
-//   handle of the owner
+//   5           the handle of the object, a unique hexadecimal number; DIMSTYLE: 105
+//   8           the layer
+//   10, 20, 30  x, y and z of a point; 11, 21, 31 of a second point
+//   100         the class that the following codes belong to
+//   330         the handle of the owner
 // The meaning of others depends on the type: 40 to 49 are lengths and factors, 70 to 79
 // flags and numbers of elements.
 
@@ -78,8 +79,7 @@ class DxfText {
 public:
   DxfText()
   {
-    constexpr int digits =
-        12; // 10^7 m from zero a coordinate has tenths of a millimeter
+    constexpr int digits = 12; // 0.1 mm at 10^7 m from zero
     text_.imbue (std::locale::classic());
     text_ << std::setprecision (digits);
   }
@@ -272,8 +272,8 @@ putLineTypes (DxfText& dxf)
   // In the unit of the drawing: only plans, which are in meters, have dashes.
   constexpr double dash = 0.2, gap = 0.1;
   putTable ("LTYPE", 4, dxf, [&] (const std::string& table) {
-    // 72 alignment, 73 number of dashes and gaps, 40 length of all of
-    // them, 49 length of each (that of a gap is negative), 74 no symbol in it
+    // 72 alignment, 73 number of dashes and gaps, 40 length of all of them, 49 length
+    // of each (that of a gap is negative), 74 no symbol in it
     for (const char* const name : {"ByBlock", "ByLayer", "Continuous"})
       putEntry ("LTYPE", "AcDbLinetypeTableRecord", name, table, dxf)
           .put (3, "")

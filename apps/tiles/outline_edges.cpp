@@ -235,9 +235,8 @@ isKept (const VoronoiVertex& vertex, const std::vector<Site>& sites, double max_
 double
 outlineUnit (double cell_edge)
 {
-  // A power of two, so that the lattice is a part of that of the moments. Larger units
-  // would make the outline coarse, smaller ones the reach of the diagram short
-  // (removeFarSites).
+  // A power of two, as ExactMoments::unit. Larger units would make the outline coarse,
+  // smaller ones the reach of the diagram short (removeFarSites).
   constexpr double in_moments_units = 128.0;
   return in_moments_units * momentsUnit (cell_edge);
 }
