@@ -394,17 +394,11 @@ private:
                        shows_progress ? progressStyleOf (is_terminal)
                                       : ProgressStyle::None,
                        noun);
-    try {
-      runInParallel (parts.size(), options.jobs, [&] (std::size_t i) {
-        stopIfInterrupted();
-        run_part (parts[i]);
-        progress.step();
-      });
-    }
-    catch (const Interrupted&) {
-      throw WorkError ("interrupted",
-                       "no output is half-written; run it again to go on");
-    }
+    runInParallel (parts.size(), options.jobs, [&] (std::size_t i) {
+      stopIfInterrupted();
+      run_part (parts[i]);
+      progress.step();
+    });
   }
 };
 
@@ -570,8 +564,9 @@ main (int argc, char** argv)
   using namespace pcl_ops::apps;
   noteInterruptions();
   const Ranks ranks;
-  const int code =
-      runProgram (program_name, [&] { return findInTiles (argc, argv, ranks); });
+  const int code = runProgram (program_name, [&] {
+    return asResumable ([&] { return findInTiles (argc, argv, ranks); });
+  });
   if (code != ExitCode::done) {
     ranks.endAll (code);
     endAsInterrupted();

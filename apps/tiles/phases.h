@@ -4,6 +4,8 @@
 
 #include "plan.h"
 #include "run_files.h"
+#include <cli/errors.h>
+#include <cli/program.h>
 #include <io/las_file.h>
 
 #include <filesystem>
@@ -100,6 +102,21 @@ struct RunFolder {
   void
   finish (const std::function<std::string (const std::string&)>& with_warnings) const;
 };
+
+/** \brief Returns the result of \p work, which is a run or a part of it.
+ * \throws WorkError in place of \ref Interrupted, whose message says that nothing was
+ * written; and whatever else \p work throws */
+template <typename Work>
+auto
+asResumable (Work&& work)
+{
+  try {
+    return work();
+  }
+  catch (const Interrupted&) {
+    throw WorkError ("interrupted", "no output is half-written; run it again to go on");
+  }
+}
 
 /** \brief Whether a file or folder exists. */
 inline bool

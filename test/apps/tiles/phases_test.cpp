@@ -157,6 +157,20 @@ pointOf (int number, const BlockKey& key)
       .cast<float>();
 }
 
+TEST (Phases, SayThatARunGoesOnAfterAnInterruption)
+{
+  EXPECT_EQ (asResumable ([] { return 7; }), 7);
+  std::string complaint;
+  try {
+    asResumable ([] () -> int { throw Interrupted(); });
+  }
+  catch (const WorkError& error) {
+    complaint = error.what();
+  }
+  EXPECT_EQ (complaint,
+             "interrupted: no output is half-written; run it again to go on");
+}
+
 TEST (BlockFile, HasThePointsOfEachKeyInTheirOrder)
 {
   constexpr int turns = 1'000'000; // more than a block has
