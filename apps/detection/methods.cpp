@@ -99,7 +99,8 @@ addHintOnMinInliers (const GivenNumbers& given,
                      const XyzCloud& cloud,
                      Detected& detected)
 {
-  // More planes are enough for a room: then no second detection is needed.
+  // Both are chosen by hand. More planes are enough for a room: then no second
+  // detection is needed.
   constexpr std::size_t max_planes = 5;
   // The default value has to find at least so many times as many planes.
   constexpr std::size_t min_ratio = 4;

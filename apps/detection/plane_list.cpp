@@ -206,7 +206,8 @@ Rings
 simplified (const Rings& rings, double tolerance)
 {
   constexpr std::size_t min_corners = 3;
-  constexpr int max_halvings = 50; // then the outline stays as it is, without holes
+  // Then the tolerance is next to 0; the outline stays as it is, without holes.
+  constexpr int max_halvings = 50;
   Rings simple;
   for (const Ring& ring : rings) {
     const bool is_outline = simple.empty();
@@ -232,7 +233,7 @@ const std::string prefix_of_crs = "EPSG:";
 bool
 isCrs (const std::string& text)
 {
-  constexpr std::size_t max_digits = 7;
+  constexpr std::size_t max_digits = 7; // EPSG has no longer numbers
   if (text.compare (0, prefix_of_crs.size(), prefix_of_crs) != 0)
     return false;
   const std::string number = text.substr (prefix_of_crs.size());

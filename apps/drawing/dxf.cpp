@@ -243,6 +243,7 @@ putEntry (const char* type,
 void
 putView (const Eigen::AlignedBox3d& box, DxfText& dxf)
 {
+  // Chosen by eye.
   constexpr double margin_factor = 1.1; // size of the view by that of the drawing
   constexpr double aspect = 1.5;        // width of the view by its height
   constexpr double min_height = 1.0;    // [unit of the drawing]

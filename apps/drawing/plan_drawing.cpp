@@ -68,7 +68,8 @@ addTexts (const PlanRoom& room, double max_letter_height, Drawing& drawing)
   const double letter_height =
       std::min (max_letter_height, share_of_width * room_width);
   std::vector<std::string> lines = {str (boost::format ("%.2f m\u00b2") % room.area)};
-  constexpr double min_enclosed_share = 0.95; // of the outline of a closed room
+  // Of the outline of a closed room, chosen by hand.
+  constexpr double min_enclosed_share = 0.95;
   if (room.enclosed < min_enclosed_share)
     lines.front() += ", open";
   if (const std::optional<double> height = heightOf (room))
@@ -233,7 +234,7 @@ Drawing
 drawingOf (const FloorPlan& plan)
 {
   Drawing drawing;
-  // Name, color in CAD, color in browsers, width of lines [mm].
+  // Name, color in CAD, color in browsers, width of lines [mm] as in ISO 128.
   drawing.layers = {{room_layer, CadColor::Green, "#7a9a7a", 0.13},
                     {wall_layer, CadColor::BlackOrWhite, "#000000", 0.5},
                     {opening_layer, CadColor::Blue, "#3060c0", 0.18},

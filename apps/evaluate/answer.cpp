@@ -66,7 +66,7 @@ void
 print (const Answer& answer, bool as_json)
 {
   constexpr int indent = 2;
-  constexpr int width_of_names = 34;
+  constexpr int width_of_names = 34; // more than the longest name has
   if (as_json)
     std::cout << answer.dump (indent) << '\n';
   else

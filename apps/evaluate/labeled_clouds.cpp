@@ -90,7 +90,8 @@ checkSamePoints (const LabeledCloud& truth,
                          "; give two labelings of the same cloud");
   const Vector3d shift = result.shift - truth.shift;
   // Rounding in a text file may move a point by up to this share of the diagonal of the
-  // bounding box. Swaps of points that are nearer to each other are not noticed.
+  // bounding box. It is chosen by hand; swaps of points that are nearer to each other
+  // are not noticed.
   constexpr double max_rounding = 1e-3;
   pcl::PointXYZ lowest;
   pcl::PointXYZ highest;

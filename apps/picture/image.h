@@ -16,8 +16,8 @@
 namespace pcl_ops::apps {
 
 /** \brief Two pictures side by side, each \ref half_width wide, with a \ref gap between
- * them; white at first. Lengths are in pixels; columns count from the left, rows from
- * the top. */
+ * them; white at first. Lengths are in pixels, chosen by eye; columns count from the
+ * left, rows from the top. */
 struct Image {
   static constexpr int half_width = 960;
   static constexpr int height = 720;

@@ -58,8 +58,8 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
   if (plane.normal.dot (segment.normal) < 0.0)
     for (OutlineEdge& edge : edges)
       std::swap (edge.from, edge.to);
-  // Parts and holes with a smaller area than a square of this width, which is chosen by
-  // hand, are left out.
+  // Chosen by hand: parts and holes with a smaller area than a square of this width are
+  // left out.
   constexpr double min_width_in_cells = 1.5;
   const double min_area = std::pow (min_width_in_cells * plan.grid.edge, 2);
   const std::vector<PlanarRings> outline = outlineOf (
