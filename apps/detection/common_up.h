@@ -23,8 +23,8 @@ struct CommonUp {
  * axis there is a group: all axes within 15 degrees of it. The axes of the group with
  * the largest sum of confidences are those that agree.
  * \param[in] axes of single clouds, in one common frame
- * \return nothing if the agreeing axes are half of all axes or fewer, or have half of the
- * sum of all confidences or less */
+ * \return nothing if the agreeing axes are half of all axes or fewer, or have half of
+ * the sum of all confidences or less */
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& axes);
 

@@ -28,8 +28,8 @@ struct OverlappingPlanes {
  * - their convex outlines overlap, or the gap between them is at most 4 times the point
  *   spacing of the smaller plane.
  * \param[in] planes by falling number of inliers, in the frame of the cloud
- * \return of several such pairs the one whose smaller plane has most inliers; nothing if
- * there is none */
+ * \return of several such pairs the one whose smaller plane has most inliers; nothing
+ * if there is none */
 std::optional<OverlappingPlanes>
 findOverlapping (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);
 

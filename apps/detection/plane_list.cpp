@@ -133,8 +133,8 @@ lineAlong (const Ring& ring, std::size_t first, std::size_t last)
 
 /** \brief Returns where the lines through two adjacent sides of a ring meet: the point
  * midway between the nearest points of both lines.
- * \param[in] corner of both sides, which is returned if the sides are nearly parallel, or
- * meet farther from the corner than the tolerance */
+ * \param[in] corner of both sides, which is returned if the sides are nearly parallel,
+ * or meet farther from the corner than the tolerance */
 Eigen::Vector3d
 meetingPointOf (const Line& a,
                 const Line& b,

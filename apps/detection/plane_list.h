@@ -98,7 +98,8 @@ turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scan
  * - "height": the coordinate of the centroid along the up axis [unit of the cloud].
  * \param[in] kind as found with all planes of the cloud
  * \param[in] up unit vector against gravity, in the frame of the plane
- * \param[in] parts of the plane besides the one that the hull of the extent surrounds */
+ * \param[in] parts of the plane besides the one that the hull of the extent
+ * surrounds */
 nlohmann::ordered_json
 planeObject (std::size_t id,
              const PlaneSegment& segment,

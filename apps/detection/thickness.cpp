@@ -124,7 +124,8 @@ private:
 
   /** \brief Puts the points of a block among the best candidates, if they are nearer.
    * \param[in] block index of the block
-   * \param[in,out] best a heap of up to count candidates, the farthest one at the front */
+   * \param[in,out] best a heap of up to count candidates, the farthest one at the
+   * front */
   void
   visit (std::size_t block,
          const Vector3f& query,

@@ -68,8 +68,8 @@ toDxf (const Drawing& drawing);
 /** \brief Returns an SVG of a drawing as seen from above (against z), with a scale bar.
  * The scale is the largest usual one (1:20, 1:50, ... 1:10000) at which the lines fit
  * on A3; a smaller one if they fit at no usual scale.
- * \param[in] drawing in meters; lines and texts of layers that it does not have are left
- * out */
+ * \param[in] drawing in meters; lines and texts of layers that it does not have are
+ * left out */
 std::string
 toSvg (const Drawing& drawing, const std::string& title);
 

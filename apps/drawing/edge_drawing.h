@@ -16,7 +16,8 @@ drawingOf (const PlaneEdges& edges, double meter);
 /** \brief Returns a GeoJSON map in space with edges as lines, then corners as points.
  * Both have the ids of their planes as properties "plane1", "plane2" (and "plane3"). An
  * edge has also "length" [unit of the edges] and "angle" [degree].
- * \param[in] edges in which PlaneEdge::planes and PlaneCorner::planes are ids, not indices
+ * \param[in] edges in which PlaneEdge::planes and PlaneCorner::planes are ids, not
+ * indices
  * \param[in] crs as of \ref featureCollection */
 std::string
 edgesToGeoJson (const PlaneEdges& edges, const std::string& crs);

@@ -53,8 +53,8 @@ public:
  * label for each point.
  * \param[in] labels one for each point
  * \param[in] distances one for each point, for a field "distance"; empty: no such field
- * \param[in] keeps_color whether the colors of the cloud are kept, if it has any, in place
- * of those of the labels
+ * \param[in] keeps_color whether the colors of the cloud are kept, if it has any, in
+ * place of those of the labels
  * \param[in] planes one for each point, for a field "plane"; empty: no such field */
 void
 saveLabeledCloud (const std::string& file,

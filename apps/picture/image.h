@@ -48,7 +48,8 @@ struct Image {
   write (int left, int top, const std::string& text);
 
   /** \brief Draws the legend of the colors of orientations into the right half.
-   * \param[in] lines number of its lines: 4, or 3 to leave out that of no plane, gray */
+   * \param[in] lines number of its lines: 4, or 3 to leave out that of no plane,
+   * gray */
   void
   addLegend (int lines = 4);
 

@@ -74,8 +74,8 @@ private:
 /** \brief Adds the pairs of pieces of two tiles, a and b, that both have points in at
  * least three cells.
  * \param[in] a, b border voxels of the tiles, in ascending order
- * \param[in] first_of_a, first_of_b positions of the first pieces of the tiles among all
- * pieces
+ * \param[in] first_of_a, first_of_b positions of the first pieces of the tiles among
+ * all pieces
  */
 void
 addPairs (const std::vector<BorderVoxel>& a,

@@ -48,8 +48,8 @@ struct PartedExtent {
 };
 
 /** \brief Returns the extent of a joined plane.
- * \param[in] segment the same plane, perhaps with the opposite normal: from the side that
- * it points to, the hull is counter-clockwise */
+ * \param[in] segment the same plane, perhaps with the opposite normal: from the side
+ * that it points to, the hull is counter-clockwise */
 PartedExtent
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {

@@ -191,8 +191,8 @@ extent (const PointRows& inliers,
 /** \brief Finds the concave outline of a plane.
  * \return outline and holes relative to \p origin, and the area between them
  * \param[in] inliers points of the plane, relative to \p origin
- * \param[in] alpha radius of the alpha shape to begin with; 0: it follows the spacing of
- * the points */
+ * \param[in] alpha radius of the alpha shape to begin with; 0: it follows the spacing
+ * of the points */
 auto
 concaveExtent (const PointRows& inliers,
                const Eigen::Vector3d& origin,
@@ -480,8 +480,8 @@ defineContext (py::module_& module)
 
 /** \brief Finds what is doubtful about a result.
  * \return code and text of each warning, the most important first
- * \param[in] points relative to \p origin; \p planes and \p context are relative to zero
- * of the user's array */
+ * \param[in] points relative to \p origin; \p planes and \p context are relative to
+ * zero of the user's array */
 std::vector<std::pair<std::string, std::string>>
 warningsOn (const PointRows& points,
             const Eigen::Vector3d& origin,
