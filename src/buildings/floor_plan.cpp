@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "constants.h"
+#include "grid_square.h"
 #include "plan_rooms.h"
 #include "plan_walls.h"
 #include "room_graph.h"
@@ -173,18 +174,13 @@ pointsOf (const std::vector<PlanPlane>& planes, const Predicate& predicate)
   return points;
 }
 
-/** \brief A square of a horizontal grid with edges of length max_eaves, by column along
- * x and row along y. */
-using EavesSquare = std::pair<long, long>;
-using EavesSquares = std::set<EavesSquare>;
+/** \brief Squares of a grid with edges of length max_eaves. */
+using EavesSquares = std::set<GridSquare>;
 
-EavesSquare
+GridSquare
 eavesSquareAt (const Vector3d& point)
 {
-  constexpr double farthest = 1e15; // [squares], so that neighbors have indices, too
-  const Vector3d square =
-      (point / constants.max_eaves).cwiseMin (farthest).cwiseMax (-farthest);
-  return {std::lround (square.x()), std::lround (square.y())};
+  return squareAt (point.head<2>(), constants.max_eaves);
 }
 
 /** \brief Returns the squares with points of roofs, and the squares next to them, which

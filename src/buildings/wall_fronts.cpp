@@ -15,15 +15,6 @@ namespace {
 constexpr double edge_of_square = constants.edge_of_side_square;
 constexpr double any_height = -std::numeric_limits<double>::infinity();
 
-GridSquare
-squareAt (const Eigen::Vector2d& position)
-{
-  constexpr double farthest = 1e15; // [squares], so that neighbors have indices, too
-  const Eigen::Vector2d square =
-      (position / edge_of_square).cwiseMin (farthest).cwiseMax (-farthest);
-  return {std::lround (square.x()), std::lround (square.y())};
-}
-
 /** \brief Returns all points sorted by square, then by their coordinates. */
 std::vector<PointInSquare>
 pointsBySquare (const std::vector<const PlanPoints*>& lists)
@@ -31,7 +22,7 @@ pointsBySquare (const std::vector<const PlanPoints*>& lists)
   std::vector<PointInSquare> all;
   for (const PlanPoints* const points : lists)
     for (const Eigen::Vector3d& point : *points)
-      all.push_back ({squareAt (point.head<2>()), point});
+      all.push_back ({squareAt (point.head<2>(), edge_of_square), point});
   std::sort (all.begin(), all.end(), [] (const auto& a, const auto& b) {
     return std::tie (a.square, a.point.x(), a.point.y(), a.point.z()) <
            std::tie (b.square, b.point.x(), b.point.y(), b.point.z());
@@ -51,7 +42,7 @@ RoomSides::hasPointAt (const Eigen::Vector2d& position, double low) const
 {
   static_assert (constants.reach_beside_wall <= edge_of_square,
                  "points within reach are in the same square or in one next to it");
-  const auto [own_column, own_row] = squareAt (position);
+  const auto [own_column, own_row] = squareAt (position, edge_of_square);
   for (const long column : {own_column - 1, own_column, own_column + 1}) {
     const GridSquare first (column, own_row - 1);
     const GridSquare last (column, own_row + 1);

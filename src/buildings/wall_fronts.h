@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "grid_square.h"
 #include "wall_faces.h"
 
-#include <utility>
 #include <vector>
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A square of a horizontal grid with edges of edge_of_side_square
- * (constants.h), by column along x and row along y. */
-using GridSquare = std::pair<long, long>;
-
-/** \brief A point and the square that it is in. */
+/** \brief A point and the square that it is in, of a grid with edges of
+ * edge_of_side_square (constants.h). */
 struct PointInSquare {
   GridSquare square;
   Eigen::Vector3d point;
