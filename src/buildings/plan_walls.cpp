@@ -24,16 +24,17 @@ crossingWith (const PlanLine& line, const PlanLine& other)
   return cross (other.origin - line.origin, other.along) / sine;
 }
 
-/** \brief Returns the position to which an end of a wall is moved: the nearest crossing
- * with the line of another face, within \p max_snap [m] of the end and of points of
- * that face. Without such a crossing it is the end itself. */
-double
-snapped (double end,
-         const WallFace& face,
-         const std::vector<WallFace>& faces,
-         double max_snap)
+/** \brief Returns the position at which another wall meets an end of a wall, and to
+ * which the end is moved: the nearest crossing with the line of another face, within \p
+ * max_snap [m] of the end and of points of that face. Nothing if no wall meets the end.
+ */
+std::optional<double>
+meetingAt (double end,
+           const WallFace& face,
+           const std::vector<WallFace>& faces,
+           double max_snap)
 {
-  double nearest = end;
+  std::optional<double> nearest;
   double least_distance = max_snap;
   for (const WallFace& other : faces) {
     const std::optional<double> position = crossingWith (face.line, other.line);
@@ -66,7 +67,8 @@ wallsOn (const WallFace& face,
         walls.empty() || seen.from - walls.back().to > parameters.max_opening;
     if (!begins_wall)
       for (const double end : {walls.back().to, seen.from}) {
-        const bool meets_wall = snapped (end, face, faces, parameters.max_snap) != end;
+        const bool meets_wall =
+            meetingAt (end, face, faces, parameters.max_snap).has_value();
         begins_wall = begins_wall || meets_wall;
       }
     if (begins_wall)
@@ -158,8 +160,10 @@ spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& paramete
   std::vector<WallSpan> spans;
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (const Interval& wall : wallsOn (faces[i], faces, parameters)) {
-      const Interval whole{snapped (wall.from, faces[i], faces, parameters.max_snap),
-                           snapped (wall.to, faces[i], faces, parameters.max_snap)};
+      const auto moved = [&] (double end) {
+        return meetingAt (end, faces[i], faces, parameters.max_snap).value_or (end);
+      };
+      const Interval whole{moved (wall.from), moved (wall.to)};
       const bool is_seen_at_cut = coveredLength (whole, faces[i].at_cut) >
                                   constants.min_share_at_cut * whole.length();
       // A part no longer than the distance by which ends may be moved is no wall.
