@@ -169,7 +169,7 @@ spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& paramete
       // A part no longer than the distance by which ends may be moved is no wall.
       if (whole.length() > parameters.max_snap &&
           (is_seen_at_cut || faces[i].ends_rooms))
-        spans.push_back ({i, whole, {}, !is_seen_at_cut});
+        spans.push_back ({i, wall, whole, {}, !is_seen_at_cut});
     }
   return spans;
 }
@@ -183,11 +183,13 @@ addOpenings (const std::vector<WallFace>& faces,
   for (WallSpan& span : spans) {
     if (span.is_hidden)
       continue;
-    for (const Interval& gap : gapsOf (span.whole, faces[span.face].at_cut)) {
-      const double min_length =
-          std::max (parameters.min_opening, faces[span.face].longest_spacing);
-      if (gap.length() >= min_length && gap.length() <= parameters.max_opening &&
-          !is_hidden (faces[span.face].line, gap))
+    const WallFace& face = faces[span.face];
+    const double min_length = std::max (parameters.min_opening, face.longest_spacing);
+    for (const Interval& gap : gapsOf (span.whole, face.at_cut)) {
+      const bool has_length_of_opening =
+          coveredLength (gap, {span.seen}) >= min_length &&
+          gap.length() <= parameters.max_opening;
+      if (has_length_of_opening && !is_hidden (face.line, gap))
         span.openings.push_back (gap);
     }
   }

@@ -18,7 +18,9 @@ using IsHidden = std::function<bool (const PlanLine& line, const Interval& gap)>
 struct WallSpan {
   /** \brief Index of the wall's face in the list of faces. */
   std::size_t face;
-  /** \brief The whole wall, and its openings: intervals of the line of the face. */
+  /** \brief Intervals of the line of the face: from the first to the last point of the
+   * wall, the whole wall after its ends were moved, and its openings. */
+  Interval seen;
   Interval whole;
   Intervals openings;
   /** \brief Whether at most the share min_share_at_cut (constants.h) of its length has
@@ -35,7 +37,8 @@ std::vector<WallSpan>
 spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& parameters);
 
 /** \brief Adds its openings to each wall that is not hidden: gaps at the height of the
- * cut, as long as openings may be, for which \p is_hidden is false. */
+ * cut, as long as openings may be, for which \p is_hidden is false. What an end of the
+ * wall was extended by makes no gap long enough: nothing is known of it. */
 void
 addOpenings (const std::vector<WallFace>& faces,
              const FloorPlanParameters& parameters,

@@ -284,6 +284,29 @@ TEST (FloorPlan, DrawsEndsOfWallsToTheirCommonCorners)
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
 }
 
+TEST (FloorPlan, HasNoOpeningWhereAnEndIsDrawnToACornerOverLessThanAnOpening)
+{
+  // Furniture hides the first 0.3 m of a wall, and at the cut 0.2 m more.
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  room.wall ({0.3, 0}, {4, 0}, {{0.0, 0.2, 0.5, 2.0}}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  const FloorPlan plan = room.plan();
+  EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_mm);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
+}
+
+TEST (FloorPlan, HasADoorUpToTheCornerOfARoom)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  room.wall ({0, 0}, {4, 0}, {{0.0, 0.9, 0.0, 2.05}}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (numberOfOpenings (plan), 1u);
+  EXPECT_NEAR (plan.walls.at (0).openings.at (0).width(), 0.9_m, 6_cm);
+}
+
 TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
 {
   Building flat = twoRooms();
