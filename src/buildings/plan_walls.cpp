@@ -189,7 +189,8 @@ addOpenings (const std::vector<WallFace>& faces,
       const bool has_length_of_opening =
           coveredLength (gap, {span.seen}) >= min_length &&
           gap.length() <= parameters.max_opening;
-      if (has_length_of_opening && !is_hidden (face.line, gap))
+      const bool has_leaf = 2.0 * coveredLength (gap, face.leaves) > gap.length();
+      if (has_length_of_opening && (has_leaf || !is_hidden (face.line, gap)))
         span.openings.push_back (gap);
     }
   }

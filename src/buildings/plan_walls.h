@@ -37,7 +37,9 @@ std::vector<WallSpan>
 spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& parameters);
 
 /** \brief Adds its openings to each wall that is not hidden: gaps at the height of the
- * cut, as long as openings may be, for which \p is_hidden is false. What an end of the
+ * cut, as long as openings may be, for which \p is_hidden is false. A gap is an opening
+ * in any case if leaves or panes are seen in most of it: they are not before the wall,
+ * though less deep behind its front than what is seen through a gap. What an end of the
  * wall was extended by makes no gap long enough: nothing is known of it. */
 void
 addOpenings (const std::vector<WallFace>& faces,

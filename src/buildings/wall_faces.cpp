@@ -293,9 +293,12 @@ withoutRecesses (const std::vector<WallFace>& faces,
   }
   for (WallFace& wall : kept)
     for (const WallFace& leaf : leaves)
-      if (!leaf.seen.empty() && isRecessOf (leaf, wall))
-        wall.at_cut = without (
-            wall.at_cut, withoutNoisyEnds (onLine (wall.line, leaf, leaf.at_cut)));
+      if (!leaf.seen.empty() && isRecessOf (leaf, wall)) {
+        const Intervals seen_at_cut =
+            withoutNoisyEnds (onLine (wall.line, leaf, leaf.at_cut));
+        wall.at_cut = without (wall.at_cut, seen_at_cut);
+        wall.leaves = unionOf (wall.leaves, seen_at_cut, 0.0);
+      }
   return kept;
 }
 

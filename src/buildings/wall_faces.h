@@ -60,6 +60,9 @@ struct WallFace {
   /** \brief Intervals of the line that have points at any height, and that have points
    * at the height of the cut. */
   Intervals seen, at_cut;
+  /** \brief Intervals of the line behind which door leaves and window panes were seen
+   * at the height of the cut; set by \ref withoutRecesses. */
+  Intervals leaves = {};
   std::vector<FacePoint> points;
   /** \brief Longest gap between points that may be nothing but their spacing [m]. */
   double longest_spacing = 0.0;
@@ -104,7 +107,7 @@ withoutFurniture (const std::vector<WallFace>& faces);
 /** \brief Returns the faces without door leaves and window panes. A leaf or pane is set
  * back in a gap of a larger face that faces the same way, its wall. Where the leaf is
  * seen at the height of the cut, WallFace::at_cut of the wall gets a gap, even if
- * furniture in front of the gap touches the wall.
+ * furniture in front of the gap touches the wall, and WallFace::leaves an interval.
  * \param[in] faces the leaves among them are left out
  * \param[in] upright other faces that may be leaves or panes */
 std::vector<WallFace>

@@ -208,6 +208,14 @@ TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
   EXPECT_EQ (numberOfOpenings (plan), 1u);
 }
 
+TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBackByLessThanTheDepthOfWhatHides)
+{
+  Building closed = roomOf4By3();
+  const std::vector<Vector3d> leaf = uprightAlongX (-0.03, {1.025, 0.025}, {1.9, 2.05});
+  closed.add (PlaneKind::Other, Vector3d::UnitY(), leaf);
+  EXPECT_EQ (numberOfOpenings (closed.plan()), 1u);
+}
+
 TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
 {
   // A window from x = 1 m to 2.5 m, with a pane. A counter at the height of the cut has
