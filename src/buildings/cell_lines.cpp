@@ -88,6 +88,40 @@ linesAcrossFreeEnds (const std::vector<CellLine>& lines)
   return across;
 }
 
+/** \brief Returns whether walls on a line are on another line, too, whichever way both
+ * lines run. */
+bool
+areOn (const PlanLine& line, const CellLine& other)
+{
+  constexpr double same = 1e-6; // largest distance of equal lines [m]
+  return std::all_of (
+      other.walls.begin(), other.walls.end(), [&] (const Interval& wall) {
+        return std::abs (line.distance (other.line.at (wall.from))) < same &&
+               std::abs (line.distance (other.line.at (wall.to))) < same;
+      });
+}
+
+/** \brief Adds walls to the line on which they are, or else as a line of their own. Of
+ * two equal lines only the first one would have sides of cells. */
+void
+addWalls (CellLine walls, std::vector<CellLine>& lines)
+{
+  const auto same =
+      std::find_if (lines.begin(), lines.end(), [&walls] (const CellLine& line) {
+        return areOn (line.line, walls) && areOn (walls.line, line);
+      });
+  if (same == lines.end())
+    return lines.push_back (std::move (walls));
+  same->faces_both_ways =
+      same->faces_both_ways || same->line.along.dot (walls.line.along) < 0.0;
+  for (const Interval& wall : walls.walls) {
+    const auto [from, to] =
+        std::minmax ({same->line.positionOf (walls.line.at (wall.from)),
+                      same->line.positionOf (walls.line.at (wall.to))});
+    same->walls = unionOf (same->walls, {{from, to}}, 0.0);
+  }
+}
+
 } // namespace
 
 std::vector<CellLine>
@@ -100,7 +134,7 @@ cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& sp
       if (span.face == i)
         line.walls.push_back (span.whole);
     if (!line.walls.empty())
-      lines.push_back (std::move (line));
+      addWalls (std::move (line), lines);
   }
   const std::vector<CellLine> across = linesAcrossFreeEnds (lines);
   if (lines.size() + across.size() > constants.max_walls)

@@ -14,6 +14,8 @@ struct CellLine {
   /** \brief Intervals of the line on which walls are; empty for a line across a free
    * end. */
   Intervals walls = {};
+  /** \brief Whether there are also walls whose front is behind the line. */
+  bool faces_both_ways = false;
 };
 
 /** \brief Returns the lines that divide a plan: lines of walls, then lines across free

@@ -258,6 +258,19 @@ evidenceOfCell (const PlanCell& cell,
   return {covered_share * area, (1.0 - covered_share) * area, border.on_rim};
 }
 
+/** \brief Returns whether a side is on the line of walls that have a position behind
+ * them. */
+bool
+hasBackOfWallAt (const Vector2d& position,
+                 const PlanSide& side,
+                 const DividedPlan& plan)
+{
+  if (side.line == no_line || plan.lines[side.line].walls.empty())
+    return false;
+  const CellLine& line = plan.lines[side.line];
+  return line.faces_both_ways || line.line.distance (position) < 0.0;
+}
+
 /** \brief Returns whether a cell is as narrow as walls are thick, and has exactly two
  * long sides, both on lines of walls that have the cell behind them. */
 bool
@@ -278,10 +291,7 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
     const bool is_long = 4.0 * side.length() >= border_length; // a quarter of it
     if (!is_long)
       continue;
-    const bool is_back_of_wall = side.line != no_line &&
-                                 !plan.lines[side.line].walls.empty() &&
-                                 plan.lines[side.line].line.distance (middle) < 0.0;
-    ++(is_back_of_wall ? backs_of_walls : other_long_sides);
+    ++(hasBackOfWallAt (middle, side, plan) ? backs_of_walls : other_long_sides);
   }
   return backs_of_walls == 2 && other_long_sides == 0;
 }
@@ -400,11 +410,11 @@ unwalledParts (const PlanSide& side, const PlanLine& edge, const DividedPlan& pl
 {
   if (side.line == no_line)
     return {{edge.positionOf (side.from), edge.positionOf (side.to)}};
-  const auto& [line, walls] = plan.lines[side.line];
+  const PlanLine& line = plan.lines[side.line].line;
   const auto [from, to] =
       std::minmax ({line.positionOf (side.from), line.positionOf (side.to)});
   Intervals parts;
-  for (const Interval& part : without ({{from, to}}, walls)) {
+  for (const Interval& part : without ({{from, to}}, plan.lines[side.line].walls)) {
     const auto [begin, end] = std::minmax (
         {edge.positionOf (line.at (part.from)), edge.positionOf (line.at (part.to))});
     parts.push_back ({begin, end});

@@ -410,6 +410,25 @@ TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
   EXPECT_NEAR (plan.rooms[1].area, 9.0, 0.01);
 }
 
+TEST (FloorPlan, DividesRoomsByTwoWallsOnOneLineThatFaceOppositeWays)
+{
+  // Three rooms around a corner at (4.1, 3): at the lower left, the lower right and the
+  // upper right. The line y = 3 m has the upper wall of the first, which faces down,
+  // and the lower wall of the last, which faces up.
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  flat.level (PlaneKind::Floor, 0.0, {4.1, 0}, {8.1, 3});
+  flat.level (PlaneKind::Floor, 0.0, {4.1, 3}, {8.1, 6});
+  flat.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+  flat.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  flat.wall ({4.1, 0}, {8.1, 0}).wall ({8.1, 0}, {8.1, 6}).wall ({8.1, 6}, {4.1, 6});
+  flat.wall ({4.1, 6}, {4.1, 0}).wall ({4.1, 3}, {8.1, 3});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 3u);
+  for (const PlanRoom& room : plan.rooms)
+    EXPECT_NEAR (room.area, 12.0, 0.01);
+}
+
 TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
 {
   // Six points per square meter, as in a survey from the air.
