@@ -272,7 +272,8 @@ hasBackOfWallAt (const Vector2d& position,
 }
 
 /** \brief Returns whether a cell is as narrow as walls are thick, and has exactly two
- * long sides, both on lines of walls that have the cell behind them. */
+ * long sides, both on lines of walls that have the cell behind them. A strip narrower
+ * than any wall only lies between lines of walls elsewhere. */
 bool
 isWithinWall (const PlanCell& cell, const DividedPlan& plan)
 {
@@ -286,14 +287,18 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
     middle += corner / static_cast<double> (cell.corners.size());
   std::size_t backs_of_walls = 0; // long sides on walls with the cell behind them
   std::size_t other_long_sides = 0;
+  double length_of_long_sides = 0.0; // of all together [m]
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
     const PlanSide side = sideOf (cell, i);
     const bool is_long = 4.0 * side.length() >= border_length; // a quarter of it
     if (!is_long)
       continue;
+    length_of_long_sides += side.length();
     ++(hasBackOfWallAt (middle, side, plan) ? backs_of_walls : other_long_sides);
   }
-  return backs_of_walls == 2 && other_long_sides == 0;
+  const bool is_thin =
+      2.0 * areaOf (cell.corners) < constants.min_thickness * length_of_long_sides;
+  return backs_of_walls == 2 && other_long_sides == 0 && !is_thin;
 }
 
 /** \brief Returns for each cell whether it is in a room, by its cover and its walls. */

@@ -429,6 +429,24 @@ TEST (FloorPlan, DividesRoomsByTwoWallsOnOneLineThatFaceOppositeWays)
     EXPECT_NEAR (room.area, 12.0, 0.01);
 }
 
+TEST (FloorPlan, HasOneRoomThoughLinesOfAThinWallBesideItCrossWhereItsFloorIsUnseen)
+{
+  // A room of 8 m x 6 m. Right of it a wall of 1 cm divides two rooms of 3 m x 3 m. The
+  // lines of both its sides go on through the large room, over 0.4 m of unseen floor.
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 2.8});
+  flat.level (PlaneKind::Floor, 0.0, {0, 3.2}, {8, 6});
+  flat.level (PlaneKind::Floor, 0.0, {8.1, 0}, {11.1, 6});
+  flat.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 6});
+  flat.wall ({8, 6}, {0, 6}).wall ({0, 6}, {0, 0});
+  flat.wall ({8.1, 0}, {11.1, 0}).wall ({11.1, 0}, {11.1, 6});
+  flat.wall ({11.1, 6}, {8.1, 6}).wall ({8.1, 6}, {8.1, 0});
+  flat.wall ({11.1, 3}, {8.1, 3}).wall ({8.1, 3.01}, {11.1, 3.01});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 3u);
+  EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
 TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
 {
   // Six points per square meter, as in a survey from the air.
