@@ -177,6 +177,69 @@ topOf (const WallFace& face)
   return top;
 }
 
+/** \brief Returns whether points of a wall were seen above most of the length of a
+ * parallel face. */
+bool
+isSeenAbove (const WallFace& wall, const WallFace& face)
+{
+  const double min_height = topOf (face) + constants.min_above_top;
+  std::vector<double> seen_above;
+  for (const FacePoint& point : wall.points)
+    if (point.height > min_height)
+      seen_above.push_back (point.position);
+  const Interval on_wall{wall.line.positionOf (face.line.at (face.seen.front().from)),
+                         wall.line.positionOf (face.line.at (face.seen.back().to))};
+  const double length_below_seen =
+      coveredLength (on_wall, intervalsOf (seen_above, maxClosedGap (wall)));
+  return 2.0 * length_below_seen > on_wall.length();
+}
+
+/** \brief Returns whether a face stands at an end of a supposed leaf, faces it, and was
+ * seen in most of the first meter before the wall of the leaf.
+ * \param[in] end position along the line of the leaf [m]
+ * \param[in] inwards 1 if the leaf begins at this end, -1 if it ends there */
+bool
+standsAtEnd (const WallFace& side,
+             const WallFace& leaf,
+             const WallFace& wall,
+             double end,
+             double inwards)
+{
+  const double cosine = inwards * side.line.normal().dot (leaf.line.along);
+  if (cosine < constants.min_sine_of_meeting)
+    return false;
+  // Along the leaf, from its end to where the side crosses its line [m].
+  const double off_end = side.line.distance (leaf.line.at (end)) / cosine;
+  if (std::abs (off_end) > constants.max_closed_gap)
+    return false;
+  Intervals before_wall; // distances from the wall
+  for (const Interval& seen : side.seen) {
+    const auto [from, to] = std::minmax ({wall.line.distance (side.line.at (seen.from)),
+                                          wall.line.distance (side.line.at (seen.to))});
+    before_wall.push_back ({from, to});
+  }
+  return 2.0 * coveredLength ({0.0, constants.min_wall_width}, before_wall) >
+         constants.min_wall_width;
+}
+
+/** \brief Returns whether a supposed leaf of a wall is the end of a room between two
+ * other rooms, whose walls end before it: the sides of the room stand at both its ends,
+ * and the wall does not go on above it, as it does above a door at the end of a
+ * corridor. */
+bool
+isEndOfRoom (const WallFace& leaf,
+             const WallFace& wall,
+             const std::vector<WallFace>& faces)
+{
+  const auto has_side_at = [&] (double end, double inwards) {
+    return std::any_of (faces.begin(), faces.end(), [&] (const WallFace& side) {
+      return standsAtEnd (side, leaf, wall, end, inwards);
+    });
+  };
+  return has_side_at (leaf.seen.front().from, 1.0) &&
+         has_side_at (leaf.seen.back().to, -1.0) && !isSeenAbove (wall, leaf);
+}
+
 /** \brief Returns whether a front stands before a wall, and points of the wall were
  * seen above most of the length of the front. A wall without points at the cut is of
  * another story and does not count. */
@@ -192,16 +255,7 @@ isFrontBefore (const WallFace& front, const WallFace& wall)
   if (distance_before_wall < constants.min_before_wall ||
       distance_before_wall > constants.max_before_wall)
     return false;
-  const double min_height = topOf (front) + constants.min_above_top;
-  std::vector<double> seen_above;
-  for (const FacePoint& point : wall.points)
-    if (point.height > min_height)
-      seen_above.push_back (point.position);
-  const Interval on_wall{wall.line.positionOf (front.line.at (whole.from)),
-                         wall.line.positionOf (front.line.at (whole.to))};
-  const double length_below_seen =
-      coveredLength (on_wall, intervalsOf (seen_above, maxClosedGap (wall)));
-  return 2.0 * length_below_seen > on_wall.length();
+  return isSeenAbove (wall, front);
 }
 
 } // namespace
@@ -286,8 +340,8 @@ withoutRecesses (const std::vector<WallFace>& faces,
   std::vector<WallFace> leaves = upright;
   for (const WallFace& face : faces) {
     const bool is_recess =
-        std::any_of (faces.begin(), faces.end(), [&face] (const WallFace& wall) {
-          return isRecessOf (face, wall);
+        std::any_of (faces.begin(), faces.end(), [&] (const WallFace& wall) {
+          return isRecessOf (face, wall) && !isEndOfRoom (face, wall, faces);
         });
     (is_recess ? leaves : kept).push_back (face);
   }

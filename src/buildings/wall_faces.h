@@ -105,9 +105,11 @@ std::vector<WallFace>
 withoutFurniture (const std::vector<WallFace>& faces);
 
 /** \brief Returns the faces without door leaves and window panes. A leaf or pane is set
- * back in a gap of a larger face that faces the same way, its wall. Where the leaf is
- * seen at the height of the cut, WallFace::at_cut of the wall gets a gap, even if
- * furniture in front of the gap touches the wall, and WallFace::leaves an interval.
+ * back in a gap of a larger face that faces the same way, its wall. The end of a room
+ * between two others is none, although it may lie behind a gap between their walls: the
+ * sides of the room come forward from it. Where a leaf is seen at the height of the
+ * cut, WallFace::at_cut of the wall gets a gap, even if furniture in front of the gap
+ * touches the wall, and WallFace::leaves an interval.
  * \param[in] faces the leaves among them are left out
  * \param[in] upright other faces that may be leaves or panes */
 std::vector<WallFace>

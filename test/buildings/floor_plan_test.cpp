@@ -410,6 +410,25 @@ TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
   EXPECT_NEAR (plan.rooms[1].area, 9.0, 0.01);
 }
 
+TEST (FloorPlan, HasAWallBetweenWallsOfBothNeighborsThatStandBeforeIt)
+{
+  // Three rooms in a row, of which the middle one reaches 20 cm farther to both sides.
+  Building flat;
+  const auto addRoom = [&flat] (const Vector2d& low, const Vector2d& high) {
+    flat.level (PlaneKind::Floor, 0.0, low, high);
+    flat.wall (low, {high.x(), low.y()}).wall ({high.x(), low.y()}, high);
+    flat.wall (high, {low.x(), high.y()}).wall ({low.x(), high.y()}, low);
+  };
+  addRoom ({0.0, 0.0}, {4.0, 3.0});
+  addRoom ({4.1, -0.2}, {7.1, 3.2});
+  addRoom ({7.2, 0.0}, {11.2, 3.0});
+  const FloorPlan plan = flat.plan();
+  EXPECT_EQ (plan.walls.size(), 12u);
+  EXPECT_EQ (numberOfOpenings (plan), 0u);
+  ASSERT_EQ (plan.rooms.size(), 3u);
+  EXPECT_NEAR (plan.rooms[2].area, 3.0 * 3.4, 0.01);
+}
+
 TEST (FloorPlan, DividesRoomsByTwoWallsOnOneLineThatFaceOppositeWays)
 {
   // Three rooms around a corner at (4.1, 3): at the lower left, the lower right and the

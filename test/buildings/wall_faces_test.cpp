@@ -3,6 +3,8 @@
 #include "buildings/wall_faces.h"
 #include "scene.h"
 
+#include <algorithm>
+
 using namespace pcl_ops::internal::buildings;
 
 namespace {
@@ -184,4 +186,39 @@ TEST (WallFaces, AreNoLeavesLessThan2CentimetersBehindOrMoreThan45)
   EXPECT_EQ (wallsWithLeaf (25_mm), 1u);
   EXPECT_EQ (wallsWithLeaf (43_cm), 1u);
   EXPECT_EQ (wallsWithLeaf (47_cm), 2u);
+}
+
+TEST (WallFaces, AreNoLeavesIfWallsThatFaceThemStandAtBothEndsOfTheGap)
+{
+  // The number of faces along x among a wall with a gap from x = 1 m to 2 m, a face
+  // 20 cm behind it, and walls 2 m long across the ends of the gap. The wall reaches
+  // over the gap from a height on.
+  const auto facesAlongX = [] (bool has_left, bool has_right, double lintel) {
+    PlanPoints points;
+    addUpright (0.0, 0.0, 1_m, points);
+    addUpright (0.0, 2_m, 4_m, points);
+    for (double x = 1_m; x < 2.0; x += 1_cm)
+      for (double z = lintel; z < 2.5; z += 5_cm)
+        points.emplace_back (x, 0.0, z);
+    PlanPoints behind, left, right;
+    addUpright (-0.2, 1_m, 2_m, behind);
+    for (double y = -0.2; y < 1.8; y += 1_cm)
+      for (double z = 0.025; z < 2.0; z += 5_cm) {
+        left.emplace_back (1.0, y, z);
+        right.emplace_back (2.0, y, z);
+      }
+    std::vector<WallFace> faces = {faceAlongX (points, 0), faceAlongX (behind, 1)};
+    if (has_left)
+      faces.push_back (faceOf ({1, 0, 0}, left, 2, cut_height));
+    if (has_right)
+      faces.push_back (faceOf ({-1, 0, 0}, right, 3, cut_height));
+    const std::vector<WallFace> walls = withoutRecesses (faces, {});
+    return std::count_if (walls.begin(), walls.end(), [] (const WallFace& face) {
+      return face.line.along.x() > 0.9;
+    });
+  };
+  constexpr double no_lintel = 9_m;
+  EXPECT_EQ (facesAlongX (true, true, no_lintel), 2) << "the end of another room";
+  EXPECT_EQ (facesAlongX (true, false, no_lintel), 1) << "a door beside a corner";
+  EXPECT_EQ (facesAlongX (true, true, 2.05), 1) << "a door at the end of a corridor";
 }
