@@ -253,8 +253,8 @@ struct BuildingConstants {
   /** \brief A narrower area lies between the two sides of a wall. */
   double min_room_width = 0.35;
   /** \brief Largest density of floor and ceiling points between the two sides of a
-   * wall, as a share of their mean density in the plan. Noise moves that many points
-   * there. */
+   * wall, as a share of their mean density in the plan, or of that on the denser side
+   * if it is less. Noise moves that many points there. */
   double max_density_share_within_wall = 0.5;
   /** \brief Smallest area of a hole of a room. */
   double min_hole_area = 0.02;
@@ -282,6 +282,15 @@ struct BuildingConstants {
   double max_cover_squares = 4e6;
   /** \brief Mean number of points of a covered square: then few of them are empty. */
   double points_of_cover_square = 3.0;
+  /** \brief An empty square is covered, too, among points that are farther apart than
+   * the edge of a square, as in a room that was scanned more sparsely than the rest of
+   * the plan. Of the squares around it, up to so many to each side, at least
+   * min_share_of_sparse_squares have points there, fewer than
+   * max_points_of_sparse_square on average. At the border of a dense floor they have
+   * more points, or fewer of them have any. */
+  std::ptrdiff_t sparse_squares_to_side = 3;
+  double min_share_of_sparse_squares = 0.2;
+  double max_points_of_sparse_square = 1.5;
   /** \brief Largest number of samples of a cell in each direction, for the share of the
    * cell that is covered. */
   int max_samples_of_cell = 60;

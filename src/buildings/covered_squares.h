@@ -52,26 +52,56 @@ public:
         ++counts_[squareAt (point.head<2>())];
   }
 
-  /** \brief Returns the share of a convex cell whose squares have points, 0 to 1. */
+  /** \brief Returns the share of a convex cell whose squares have points, or lie among
+   * points farther apart than squares are wide, 0 to 1. */
   double
   coveredShareOf (const PlanCell& cell) const
   {
-    return meanOver (cell,
-                     [] (std::uint32_t points) { return points > 0 ? 1.0 : 0.0; });
+    return meanOver (cell, [this] (std::size_t square) {
+      return counts_[square] > 0 || isAmongSparsePoints (square) ? 1.0 : 0.0;
+    });
   }
 
   /** \brief Returns the density of points in a convex cell [1/m^2]. */
   double
   densityOf (const PlanCell& cell) const
   {
-    return meanOver (cell, [this] (std::uint32_t points) {
-      return static_cast<double> (points) / (edge_ * edge_);
+    return meanOver (cell, [this] (std::size_t square) {
+      return static_cast<double> (counts_[square]) / (edge_ * edge_);
     });
   }
 
 private:
+  /** \brief Returns whether many squares around a square have points, but few each; see
+   * sparse_squares_to_side (constants.h). */
+  bool
+  isAmongSparsePoints (std::size_t square) const
+  {
+    constexpr std::ptrdiff_t to_side = constants.sparse_squares_to_side;
+    const auto middle_column = static_cast<std::ptrdiff_t> (square / rows_);
+    const auto middle_row = static_cast<std::ptrdiff_t> (square % rows_);
+    const auto columns = static_cast<std::ptrdiff_t> (columns_);
+    const auto rows = static_cast<std::ptrdiff_t> (rows_);
+    double points = 0.0;
+    double squares_with_points = 0.0;
+    for (auto column = std::max<std::ptrdiff_t> (0, middle_column - to_side);
+         column <= std::min (columns - 1, middle_column + to_side);
+         ++column)
+      for (auto row = std::max<std::ptrdiff_t> (0, middle_row - to_side);
+           row <= std::min (rows - 1, middle_row + to_side);
+           ++row) {
+        const auto count = counts_[static_cast<std::size_t> (column * rows + row)];
+        points += count;
+        squares_with_points += count > 0 ? 1.0 : 0.0;
+      }
+    constexpr double squares_around = (2.0 * to_side + 1.0) * (2.0 * to_side + 1.0);
+    return squares_with_points >=
+               constants.min_share_of_sparse_squares * squares_around &&
+           points < constants.max_points_of_sparse_square * squares_with_points;
+  }
+
   /** \brief Returns the mean, over samples in a cell, of the values of their squares.
-   * \param[in] valueOf returns the value of a square from its number of points */
+   * \param[in] valueOf returns the value of a square from its index into \ref counts_ */
   template <typename Value>
   double
   meanOver (const PlanCell& cell, const Value& valueOf) const
@@ -91,7 +121,7 @@ private:
     double sum = 0.0;
     const auto add_sample = [&] (const Eigen::Vector2d& position) {
       ++samples;
-      sum += valueOf (counts_[squareAt (position)]);
+      sum += valueOf (squareAt (position));
     };
     for (int i = 0; i < columns; ++i)
       for (int j = 0; j < rows; ++j) {

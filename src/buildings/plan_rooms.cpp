@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -258,6 +259,13 @@ evidenceOfCell (const PlanCell& cell,
   return {covered_share * area, (1.0 - covered_share) * area, border.on_rim};
 }
 
+/** \brief Returns whether a side is at least a quarter of the border of its cell. */
+bool
+isLong (const PlanSide& side, double border_length)
+{
+  return 4.0 * side.length() >= border_length;
+}
+
 /** \brief Returns whether a side is on the line of walls that have a position behind
  * them. */
 bool
@@ -290,8 +298,7 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
   double length_of_long_sides = 0.0; // of all together [m]
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
     const PlanSide side = sideOf (cell, i);
-    const bool is_long = 4.0 * side.length() >= border_length; // a quarter of it
-    if (!is_long)
+    if (!isLong (side, border_length))
       continue;
     length_of_long_sides += side.length();
     ++(hasBackOfWallAt (middle, side, plan) ? backs_of_walls : other_long_sides);
@@ -303,14 +310,8 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
 
 /** \brief Returns for each cell whether it is in a room, by its cover and its walls. */
 std::vector<char>
-cellsInRooms (const DividedPlan& plan,
-              const PlanPoints& cover,
-              const Eigen::AlignedBox2d& box)
+cellsInRooms (const DividedPlan& plan, const CoveredSquares& squares)
 {
-  const double edge = std::max (
-      constants.min_edge_of_cover_square,
-      std::sqrt (constants.points_of_cover_square / meanDensityOf (cover, box)));
-  const CoveredSquares squares (cover, box, edge);
   std::vector<CellEvidence> evidence;
   for (const PlanCell& cell : plan.cells)
     evidence.push_back (evidenceOfCell (cell, plan, squares));
@@ -321,39 +322,6 @@ cellsInRooms (const DividedPlan& plan,
     borders.push_back ({first, second, std::max (0.0, side.length() - walled)});
   }
   return cellsInside (evidence, borders);
-}
-
-/** \brief Takes cells within walls out of rooms, so that no room extends through a wall
- * where neither side of the wall was seen, as beside a door. Floors and ceilings end at
- * such a part of a wall, too: the cell has few of their points. */
-void
-leaveOutCellsWithinWalls (const PlanPoints& cover,
-                          const Eigen::AlignedBox2d& box,
-                          DividedPlan& plan)
-{
-  const CoveredSquares squares (cover, box, constants.edge_of_side_square);
-  const double max_density =
-      constants.max_density_share_within_wall * meanDensityOf (cover, box);
-  for (std::size_t i = 0; i < plan.cells.size(); ++i)
-    if (plan.is_inside[i] && isWithinWall (plan.cells[i], plan) &&
-        squares.densityOf (plan.cells[i]) < max_density)
-      plan.is_inside[i] = 0;
-}
-
-/** \brief Returns the sets of cells that form rooms: two cells inside are in one room
- * if their common side is mostly without a wall. */
-CellSets
-joinCells (const DividedPlan& plan)
-{
-  CellSets sets (plan.cells.size());
-  for (const auto& [first, second, side_of_first] : commonSides (plan.cells)) {
-    const PlanSide side = sideOf (plan.cells[first], side_of_first);
-    const bool is_open =
-        walledLength (side, plan.lines) < constants.min_walled_share * side.length();
-    if (plan.is_inside[first] && plan.is_inside[second] && is_open)
-      sets.join (first, second);
-  }
-  return sets;
 }
 
 /** \brief A side of a cell: the index of the cell, and the index of the side in the
@@ -376,6 +344,90 @@ cellsBeyondSides (const std::vector<PlanCell>& cells)
         neighbors[{second, j}] = first;
   }
   return neighbors;
+}
+
+/** \brief Returns the density of points in the covered part of the cells beyond the
+ * long sides of a cell [1/m^2]: that of the densest cell; infinite if none is covered.
+ */
+double
+densityBeside (std::size_t cell,
+               const std::vector<PlanCell>& cells,
+               const std::map<CellSide, std::size_t>& beyond_sides,
+               const CoveredSquares& squares)
+{
+  double border_length = 0.0;
+  for (std::size_t i = 0; i < cells[cell].corners.size(); ++i)
+    border_length += sideOf (cells[cell], i).length();
+  std::optional<double> densest;
+  for (std::size_t i = 0; i < cells[cell].corners.size(); ++i) {
+    const auto beyond = beyond_sides.find ({cell, i});
+    if (!isLong (sideOf (cells[cell], i), border_length) ||
+        beyond == beyond_sides.end())
+      continue;
+    const PlanCell& other = cells[beyond->second];
+    const double covered_share = squares.coveredShareOf (other);
+    if (covered_share > 0.0)
+      densest =
+          std::max (densest.value_or (0.0), squares.densityOf (other) / covered_share);
+  }
+  return densest.value_or (std::numeric_limits<double>::infinity());
+}
+
+/** \brief Takes cells within walls out of rooms, so that no room extends through a wall
+ * where neither side of the wall was seen, as beside a door. Floors and ceilings end at
+ * such a part of a wall, too: the cell has few of their points, compared with the rooms
+ * beside it, which may have been scanned more sparsely than others.
+ * \param[in] mean_density of the points in the plan [1/m^2]
+ * \param[in] squares for the cover of rooms
+ * \param[in] small_squares narrower than walls are thick */
+void
+leaveOutCellsWithinWalls (double mean_density,
+                          const CoveredSquares& squares,
+                          const CoveredSquares& small_squares,
+                          DividedPlan& plan)
+{
+  const auto beyond_sides = cellsBeyondSides (plan.cells);
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+    if (!plan.is_inside[i] || !isWithinWall (plan.cells[i], plan))
+      continue;
+    const double density =
+        std::min (mean_density, densityBeside (i, plan.cells, beyond_sides, squares));
+    if (small_squares.densityOf (plan.cells[i]) <
+        constants.max_density_share_within_wall * density)
+      plan.is_inside[i] = 0;
+  }
+}
+
+/** \brief Finds the cells that are in rooms. */
+void
+findCellsInRooms (const PlanPoints& cover,
+                  const Eigen::AlignedBox2d& box,
+                  DividedPlan& plan)
+{
+  const double mean_density = meanDensityOf (cover, box);
+  const double edge =
+      std::max (constants.min_edge_of_cover_square,
+                std::sqrt (constants.points_of_cover_square / mean_density));
+  const CoveredSquares squares (cover, box, edge);
+  plan.is_inside = cellsInRooms (plan, squares);
+  const CoveredSquares small_squares (cover, box, constants.edge_of_side_square);
+  leaveOutCellsWithinWalls (mean_density, squares, small_squares, plan);
+}
+
+/** \brief Returns the sets of cells that form rooms: two cells inside are in one room
+ * if their common side is mostly without a wall. */
+CellSets
+joinCells (const DividedPlan& plan)
+{
+  CellSets sets (plan.cells.size());
+  for (const auto& [first, second, side_of_first] : commonSides (plan.cells)) {
+    const PlanSide side = sideOf (plan.cells[first], side_of_first);
+    const bool is_open =
+        walledLength (side, plan.lines) < constants.min_walled_share * side.length();
+    if (plan.is_inside[first] && plan.is_inside[second] && is_open)
+      sets.join (first, second);
+  }
+  return sets;
 }
 
 /** \brief The cells of a room. */
@@ -491,8 +543,7 @@ roomsOf (const std::vector<WallFace>& faces,
   DividedPlan plan{cellLinesOf (faces, spans), {}, {}};
   const Eigen::AlignedBox2d box = boxAround (faces, spans);
   plan.cells = cellsBetween (plan.lines, box);
-  plan.is_inside = cellsInRooms (plan, cover.points, box);
-  leaveOutCellsWithinWalls (cover.points, box, plan);
+  findCellsInRooms (cover.points, box, plan);
   CellSets sets = joinCells (plan);
   std::vector<PlanRoom> rooms;
   for (const auto& [root, joined] : outlinesOf (plan, sets)) {

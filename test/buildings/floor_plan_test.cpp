@@ -18,6 +18,17 @@ uprightAlongX (double y, const Vector2d& low, const Vector2d& high)
   return points;
 }
 
+/** \brief Adds a floor whose points are 15 cm apart. */
+void
+addSparseFloor (Building& building, const Vector2d& low, const Vector2d& high)
+{
+  std::vector<Vector3d> points;
+  for (double x = low.x() + 7_cm; x < high.x(); x += 15_cm)
+    for (double y = low.y() + 7_cm; y < high.y(); y += 15_cm)
+      points.emplace_back (x, y, 0.0);
+  building.add (PlaneKind::Floor, Vector3d::UnitZ(), points);
+}
+
 /** \brief Length of all walls together [m]. */
 double
 sumOfLengths (const FloorPlan& plan)
@@ -464,6 +475,41 @@ TEST (FloorPlan, HasOneRoomThoughLinesOfAThinWallBesideItCrossWhereItsFloorIsUns
   const FloorPlan plan = flat.plan();
   ASSERT_EQ (plan.rooms.size(), 3u);
   EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
+TEST (FloorPlan, HasARoomScannedSparselyBesideALargerOneScannedDensely)
+{
+  // Points are 5 cm apart on floor and ceiling at the left, and 15 cm on the floor at
+  // the right.
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
+  flat.level (PlaneKind::Ceiling, 2.5, {0, 0}, {8, 3});
+  flat.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 3});
+  flat.wall ({8, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  addSparseFloor (flat, {8.1, 0}, {12.1, 3});
+  flat.wall ({8.1, 0}, {12.1, 0}).wall ({12.1, 0}, {12.1, 3});
+  flat.wall ({12.1, 3}, {8.1, 3}).wall ({8.1, 3}, {8.1, 0});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 24.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].area, 12.0, 0.01);
+}
+
+TEST (FloorPlan, HasOneSparseRoomWhereItsFloorGoesOnBesideAPieceOfWall)
+{
+  // A room of 8.2 m x 3 m with a piece of wall 0.6 m long and 20 cm thick, beside a
+  // room of 8.2 m x 6 m that was scanned densely.
+  Building flat;
+  addSparseFloor (flat, {0, 0}, {4, 0.6});
+  addSparseFloor (flat, {4.2, 0}, {8.2, 0.6});
+  addSparseFloor (flat, {0, 0.6}, {8.2, 3});
+  flat.wall ({0, 0}, {8.2, 0}).wall ({8.2, 0}, {8.2, 3});
+  flat.wall ({8.2, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  flat.wall ({4, 0}, {4, 0.6}).wall ({4.2, 0.6}, {4.2, 0});
+  flat.level (PlaneKind::Floor, 0.0, {0, 3.1}, {8.2, 9.1});
+  flat.wall ({0, 3.1}, {8.2, 3.1}).wall ({8.2, 3.1}, {8.2, 9.1});
+  flat.wall ({8.2, 9.1}, {0, 9.1}).wall ({0, 9.1}, {0, 3.1});
+  EXPECT_EQ (flat.plan().rooms.size(), 2u);
 }
 
 TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
