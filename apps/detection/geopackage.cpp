@@ -149,6 +149,7 @@ append (double number, std::string& bytes)
  * box in x and y. */
 class Wkb {
 public:
+  /** \param[in] geometry with one part at least */
   explicit Wkb (const Json& geometry)
   {
     write (geometry.at ("type").get<std::string>(), geometry.at ("coordinates"));
@@ -212,13 +213,14 @@ private:
 };
 
 /** \brief Returns a geometry as a GeoPackage blob: a header with reference system and
- * bounding box, then the well-known binary. Empty for null.
+ * bounding box, then the well-known binary. Empty for null and for a geometry without
+ * parts, which has no box.
  * \param[in] epsg code of the reference system, or -1
  * \param[in,out] layer_box is extended by the bounding box of the geometry */
 std::string
 blobOf (const Json& geometry, int epsg, Eigen::AlignedBox2d& layer_box)
 {
-  if (geometry.is_null())
+  if (geometry.is_null() || geometry.at ("coordinates").empty())
     return {};
   const Wkb wkb (geometry);
   layer_box.extend (wkb.box);
