@@ -107,8 +107,8 @@ supportOf (const PrincipalAxes& axes, double independent_points)
 std::vector<Support>
 supportsFrom (const PlaceMoments& moments, double independent_points, unsigned threads)
 {
-  constexpr std::size_t supports_per_piece =
-      64; // chosen by hand, changes only the time
+  // Chosen by hand, changes only the time.
+  constexpr std::size_t supports_per_piece = 64;
   std::vector<Support> supports (moments.size());
   const auto computePiece = [&] (std::size_t begin, std::size_t end) {
     std::array<Eigen::Matrix3d, supports_per_piece> covariances;

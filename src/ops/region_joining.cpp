@@ -154,8 +154,8 @@ bordersOf (const Places& places,
            unsigned threads,
            Indices& border)
 {
-  constexpr std::size_t places_per_piece =
-      4096; // chosen by hand, changes only the time
+  // Chosen by hand, changes only the time.
+  constexpr std::size_t places_per_piece = 4096;
   const auto borderOfPiece = [&] (std::size_t begin, std::size_t end) {
     BorderPart part;
     for (std::size_t i = begin; i < end; ++i) {
