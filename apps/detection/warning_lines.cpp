@@ -43,9 +43,13 @@ WarningLines::lines() const
 }
 
 void
-putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings)
+putWarningOnPlan (const PlanCounts& counts,
+                  bool is_in_tiles,
+                  std::vector<ResultWarning>& warnings)
 {
   ResultContext context;
+  if (is_in_tiles)
+    context.tiles.emplace();
   context.plan = counts;
   // As cloud and planes are empty, only the floor plan can give a warning.
   std::vector<ResultWarning> plan_first = resultWarnings ({}, {}, context);

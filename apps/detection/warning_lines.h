@@ -40,9 +40,12 @@ private:
 /** \brief If a floor plan has no wall, puts a warning on that before the others: it has
  * the most likely reason. A warning on the unit of the cloud is a better reason: its
  * text replaces the other one, and the warning itself is removed. Only the first
- * ResultContext::max_warnings warnings are kept. */
+ * ResultContext::max_warnings warnings are kept.
+ * \param[in] is_in_tiles whether pcl_ops_tiles made the plan, which has no --up */
 void
-putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
+putWarningOnPlan (const PlanCounts& counts,
+                  bool is_in_tiles,
+                  std::vector<ResultWarning>& warnings);
 
 /** \brief If the reference system of a LAS file has x and y in meters and z in feet, or
  * the reverse, puts a warning on these units before the others. Only the first

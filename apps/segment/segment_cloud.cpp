@@ -195,7 +195,8 @@ findPlan (const SegmentOptions& options,
                                shifted.shift);
   counts.walls = report.plan->walls.size();
   counts.wall_planes_kept = countOf (PlaneKind::Wall, detected);
-  putWarningOnPlan (counts, report.warnings);
+  constexpr bool is_in_tiles = false;
+  putWarningOnPlan (counts, is_in_tiles, report.warnings);
 }
 
 /** \brief Returns the options, with the reference system and the unit of a LAS file

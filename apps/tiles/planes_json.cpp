@@ -295,7 +295,8 @@ try {
     counts.walls = floor_plan.walls.size();
     counts.wall_planes_kept = countOfKind (PlaneKind::Wall, list.at ("planes"));
     messages.file_notes.push_back (output.floor_plan + ": " + contentOf (floor_plan));
-    putWarningOnPlan (counts, messages.warnings);
+    constexpr bool is_in_tiles = true;
+    putWarningOnPlan (counts, is_in_tiles, messages.warnings);
   }
   if (!output.planes.empty())
     writeTextFile (output.planes, planesFor (output.planes, list, output.map));

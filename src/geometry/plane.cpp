@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pcl_ops {
 using namespace internal;
@@ -82,6 +83,11 @@ fitPlane (const Moments& moments)
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
     axes = {solver.eigenvectors().col (0), solver.eigenvalues().cwiseMax (0.0)};
   }
+  // Equal points that were summed about a remote origin have a covariance of rounding.
+  const double rounding = moments.count * std::numeric_limits<double>::epsilon() *
+                          (moments.centroid() - moments.origin).squaredNorm();
+  if (!(variances[2] > rounding))
+    return std::nullopt;
   // Rounding of coordinates to single precision gives a line nearly this much width.
   constexpr double min_width_over_length = 1e-5;
   if (!(variances[1] > min_width_over_length * min_width_over_length * variances[2]))

@@ -142,9 +142,10 @@ warnOfEmptyPlan (const ResultContext& context,
     reason = unit_warning->text;
   else if (plan->wall_planes_found == 0)
     reason = std::string ("no plane is a wall") +
-             (plan->has_floor ? "" : " and none a floor") + "; give " +
-             text.of ("up", "") + ", or " + text.of ("meter", "") +
-             " for a cloud that is not in meters";
+             (plan->has_floor ? "" : " and none a floor") + "; " +
+             (context.tiles ? "z has to be up; give " // tiles are found along z
+                            : "give " + text.of ("up", "") + ", or ") +
+             text.of ("meter", "") + " for a cloud that is not in meters";
   else if (plan->wall_planes_kept == 0)
     reason =
         "filters drop all planes that are walls (" + wall_planes + "); leave them out";

@@ -138,6 +138,18 @@ TEST (FitPlane, IsNothingForPointsThatSpanNoPlane)
   EXPECT_FALSE (fitPlane (Moments()));
 }
 
+TEST (FitPlane, IsNothingForEqualPointsSummedAboutAnyOrigin)
+{
+  // Rounding makes their covariance positive for some origins and negative for others.
+  RandomGenerator generator (seedOfTest());
+  for (int draw = 0; draw < 300; ++draw) {
+    const double x = drawUnit (generator), y = drawUnit (generator);
+    const PointList equal (50,
+                           Eigen::Vector3d (9.0 * x, 9.0 * y, drawUnit (generator)));
+    EXPECT_FALSE (fitPlane (momentsOf (equal, Eigen::Vector3d::Zero()))) << draw;
+  }
+}
+
 TEST (Moments, AddUpAlsoWithThemselvesAndWithNothing)
 {
   const PointList points = noisyPatch ({1, 2, 3});

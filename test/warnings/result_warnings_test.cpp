@@ -635,8 +635,9 @@ TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
 {
   // "CODE: TEXT" of the first warning; empty without a warning.
-  const auto warningOf = [] (const PlanCounts& counts, const LabeledPlaneScene& scene) {
-    ResultContext context;
+  ResultContext context;
+  const auto warningOf = [&] (const PlanCounts& counts,
+                              const LabeledPlaneScene& scene) {
     context.plan = counts;
     const std::vector<ResultWarning> warnings = scene.warnings (context);
     return warnings.empty() ? "" : warnings[0].code + ": " + warnings[0].text;
@@ -662,6 +663,12 @@ TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
       "empty-plan: the floor plan has 0 walls: none of the planes that are walls "
       "(12) is where it is cut; give another --plan-height");
   EXPECT_EQ (warningOf ({3, 12, 12, true}, roomOfTwoPlanes()), "");
+  context.tiles.emplace(); // the program for tiles has no --up
+  expectBegin (
+      {0, 0, 0, true},
+      "empty-plan: the floor plan has 0 walls: no plane is a wall; z has to be "
+      "up; give --meter");
+  context.tiles.reset();
   LabeledPlaneScene wall_in_millimeters;
   wall_in_millimeters.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 2.0);
   EXPECT_NE (

@@ -126,13 +126,13 @@ protected:
   }
 
   std::set<std::string>
-  finishedClouds () const
+  finishedLists () const
   {
-    std::set<std::string> clouds;
+    std::set<std::string> lists;
     for (const std::string& name : namesIn ("out"))
-      if (fs::path (name).extension() == ".pcd")
-        clouds.insert (name);
-    return clouds;
+      if (fs::path (name).extension() == ".json")
+        lists.insert (name);
+    return lists;
   }
 
   int exit_code_ = 0;
@@ -146,7 +146,7 @@ TEST_F (InterruptedBatch, SaysInOneLineHowManyInputsAreDone)
   const std::string said = contentOf (folder_ / "said");
   EXPECT_EQ (said.find ("pcl_ops_segment: interrupted: "), 0u) << said;
   EXPECT_EQ (lines (said), 1u) << said;
-  const std::size_t done = finishedClouds().size();
+  const std::size_t done = finishedLists().size();
   EXPECT_LT (done, 40u);
   EXPECT_TRUE (contains (said, " " + std::to_string (done) + " of 40 inputs")) << said;
 }
@@ -154,17 +154,17 @@ TEST_F (InterruptedBatch, SaysInOneLineHowManyInputsAreDone)
 TEST_F (InterruptedBatch, LeavesNothingTemporaryAndOnlyWholeClouds)
 {
   std::set<std::string> expected;
-  for (const std::string& cloud : finishedClouds()) {
-    expected.insert (cloud);
-    expected.insert (fs::path (cloud).stem().string() + ".json");
+  for (const std::string& list : finishedLists()) {
+    expected.insert (list);
+    expected.insert (fs::path (list).stem().string() + ".pcd");
   }
   std::set<std::string> names = namesIn ("out");
-  // The planes of a cloud (.json) are written before its labels (.pcd), so that one may
-  // have planes alone.
+  // The labels of a cloud (.pcd) are written before its planes (.json), so that one may
+  // have labels alone.
   for (auto name = names.begin(); name != names.end();) {
-    const bool is_planes_alone =
-        fs::path (*name).extension() == ".json" && expected.count (*name) == 0;
-    name = is_planes_alone ? names.erase (name) : std::next (name);
+    const bool is_labels_alone =
+        fs::path (*name).extension() == ".pcd" && expected.count (*name) == 0;
+    name = is_labels_alone ? names.erase (name) : std::next (name);
   }
   EXPECT_EQ (names, expected);
   expectDone ("out --output-dir again");
