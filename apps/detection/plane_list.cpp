@@ -233,7 +233,7 @@ const std::string prefix_of_crs = "EPSG:";
 bool
 isCrs (const std::string& text)
 {
-  constexpr std::size_t max_digits = 7; // EPSG has no longer numbers
+  constexpr std::size_t max_digits = 7; // numbers of EPSG in use are shorter
   if (text.compare (0, prefix_of_crs.size(), prefix_of_crs) != 0)
     return false;
   const std::string number = text.substr (prefix_of_crs.size());

@@ -59,9 +59,10 @@ struct Drawing {
 };
 
 /** \brief Returns a drawing as ASCII DXF of AutoCAD 2000 (AC1015), which all programs
- * read. $INSUNITS has the unit of the drawing: 6 for meters, 0 for an unknown unit. A
- * text is a TEXT. An open line with two corners is a LINE; any other line is an
- * LWPOLYLINE if z of all its corners is 0, else a POLYLINE in space. */
+ * read. $INSUNITS has the unit of the drawing by Drawing::meter: 6 for meters, 2 for
+ * feet, 1, 5 and 4 for inches, centimeters and millimeters, else 0. A text is a TEXT.
+ * An open line with two corners is a LINE; any other line is an LWPOLYLINE if z of all
+ * its corners is 0, else a POLYLINE in space. */
 std::string
 toDxf (const Drawing& drawing);
 

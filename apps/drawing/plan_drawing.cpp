@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cli/text.h>
 #include <io/output_file.h>
 
 #include <algorithm>
@@ -285,9 +286,6 @@ planToGeoJson (const FloorPlan& plan,
 std::string
 contentOf (const FloorPlan& plan)
 {
-  const auto counted = [] (std::size_t number, const std::string& noun) {
-    return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
-  };
   double area = 0.0;
   for (const PlanRoom& room : plan.rooms)
     area += room.area;

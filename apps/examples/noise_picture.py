@@ -19,7 +19,7 @@ MAX_DRAWN = 60000  # points of a cloud; more would not change the picture
 
 def load(file):
     """Returns the finite points of a file."""
-    points = np.load(file) if file.endswith(".npy") else pcl_ops.read(file).points
+    points = pcl_ops.read(file).points
     return points[np.isfinite(points).all(axis=1)]
 
 
@@ -34,7 +34,8 @@ def noise_around(points):
 
 
 def draw(axes, points, noise, scale):
-    """Draws points from above, higher ones in front; returns those drawn in a color.
+    """Draws points from above: gray ones, then colored ones in front of them, of both the higher
+    ones in front. Returns those drawn in a color.
 
     scale: from noise [mm] to colors; points with unknown noise are gray.
     """

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Keeps the planes of one orientation and size, the walls of a room, and prints how
-// many planes each test dropped.
+// Keeps the vertical planes that are large and wide enough to be walls of a room.
+// Prints how many planes each test dropped, and for each wall its area and the
+// direction of its normal: degrees from the x axis towards the y axis.
 #include <pcl/common/angles.h>
 #include <pcl/io/pcd_io.h>
 

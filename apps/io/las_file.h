@@ -60,7 +60,10 @@ struct LasFile {
   void
   checkCount () const;
 
-  /** \throws WorkError as \ref checkCount, or if the file does not hold its
+  /** \brief Checks the points and the extended VLRs behind them. If one of these
+   * describes the extra bytes, sets \ref has_extra_bytes_evlr, \ref fields and
+   * \ref fields_end.
+   * \throws WorkError as \ref checkCount, or if the file does not hold its
    * uncompressed points, or valid extended variable length records behind them */
   void
   checkPoints ();
@@ -70,7 +73,9 @@ struct LasFile {
   void
   readFields (const LasVlr& vlr);
 
-  // Call checkPoints before the following functions, which read points.
+  // Call checkPoints before readPoints, position, forPositions and forLabels, which
+  // read uncompressed points, and before validate, which needs the fields of all
+  // records.
 
   /** \brief Returns all points with x, y, z in double precision, intensity in single
    * precision, and label, if the file has a \ref label_field. */
@@ -143,9 +148,10 @@ struct LasFile {
   /** \brief Whether an extended VLR, which follows the points, describes the extra
    * bytes. Then \ref extra_bytes is not set. Is set by \ref checkPoints. */
   bool has_extra_bytes_evlr = false;
-  /** \brief The fields that the Extra Bytes VLR describes. */
+  /** \brief The fields that the Extra Bytes VLR, or the extended one, describes. */
   std::vector<LasField> fields;
-  /** \brief Offset in a record of the end of these fields [bytes]. */
+  /** \brief Offset in a record of the end of these fields [bytes]; without fields the
+   * end of the attributes that the point format has. */
   std::uint64_t fields_end;
   /** \brief The point records that \ref position read last, one after the other. */
   std::string block;

@@ -75,7 +75,9 @@ declareOutput (CommandLine& line, PlanesOutput& output)
       .help ("a page that shows the same planes, and points, in a browser");
   line.add ("floor-plan FILE", output.floor_plan)
       .help ("write walls, openings, rooms: .dxf, .svg, .geojson, .gpkg");
-  line.add ("plan-height M", output.of_floor_plan.cut_height, from (-1000).upTo (1000))
+  const Range heights =
+      from (-1000).upTo (1000); // chosen by hand, against typing errors
+  line.add ("plan-height M", output.of_floor_plan.cut_height, heights)
       .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
 }
 

@@ -104,8 +104,8 @@ struct RunFolder {
 };
 
 /** \brief Returns the result of \p work, which is a run or a part of it.
- * \throws WorkError in place of \ref Interrupted, whose message says that nothing was
- * written; and whatever else \p work throws */
+ * \throws WorkError in place of \ref Interrupted, whose message does not say that a later
+ * run goes on; and whatever else \p work throws */
 template <typename Work>
 auto
 asResumable (Work&& work)

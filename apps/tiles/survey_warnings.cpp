@@ -17,12 +17,13 @@ namespace pcl_ops::apps {
 namespace {
 
 /** \brief Returns the first input if it is a .las or .laz, else nullptr: its reference
- * system is that of all inputs, which share a frame. */
+ * system is that of all inputs, which share a frame. Points are not read: openLas would
+ * decompress all of a .laz. */
 std::shared_ptr<LasFile>
 firstInputIfLas (const Plan& plan)
 {
   const std::string& file = plan.inputs.front().file;
-  return isLasName (file) ? openLas (file) : nullptr;
+  return isLasName (file) ? std::make_shared<LasFile> (file) : nullptr;
 }
 
 CloudView

@@ -12,11 +12,12 @@
 namespace pcl_ops::apps {
 
 /** \brief Adds warnings about the planes of a survey to the list of planes. They follow
- * from a sample of the labeled points.
+ * from the labeled points, which are visited twice, from the tiles of the plan and, if
+ * the first input is a .las or .laz, from its reference system.
  * \return the new text of the list; the same text if there are no warnings
  * \param[in] has_meter whether the user gave the length of a meter, even if it is 1
  * \param[in] list_text JSON of the list
- * \throws WorkError as \p for_each_point does */
+ * \throws WorkError as \p for_each_point does, or if the first input cannot be read */
 std::string
 withWarnings (const Plan& plan,
               bool has_meter,

@@ -137,7 +137,8 @@ struct PlaneFit {
 /** \brief Fits the plane with the smallest sum of squared distances, from the centered
  * covariance in double precision. The sign of the normal is arbitrary.
  * \return nothing if there are fewer than three points, or if all points are equal or
- * on one line */
+ * on one line, also if only the rounding of sums about a remote \ref Moments::origin
+ * makes them differ */
 PCL_OPS_EXPORT std::optional<PlaneFit>
 fitPlane (const Moments& moments);
 

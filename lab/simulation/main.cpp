@@ -234,6 +234,16 @@ writeFiles (const SimulationOptions& options,
          std::to_string (files) + " files\n";
 }
 
+/** Removes a file of an earlier town if there is one; a folder stays. */
+void
+removeTile (const fs::path& file)
+{
+  std::error_code error;
+  if (fs::is_regular_file (file, error) && !fs::remove (file, error))
+    throw WorkError (file.string(),
+                     "cannot be removed (" + error.message() + "); remove it");
+}
+
 /** Removes tiles of an earlier, larger town from a folder: they would be taken for
  * tiles of this one.
  * \param[in] tiles number of tiles along each side of this town */
@@ -250,7 +260,7 @@ removeTilesBeyond (std::uint32_t tiles, const std::string& folder)
       beyond.push_back (entry.path());
   }
   for (const fs::path& file : beyond)
-    fs::remove (file);
+    removeTile (file);
 }
 
 /** Writes a .las file for each tile that has points.
@@ -278,7 +288,7 @@ writeTown (const SimulationOptions& options)
         record.raw[axis] = std::int32_t (std::lround (local[axis]));
     }
     if (points.empty())
-      fs::remove (file); // that of an earlier town
+      removeTile (file);
     else
       saveLas (file, points, millimeter, town.corner);
     return points.size();

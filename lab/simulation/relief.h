@@ -16,8 +16,9 @@ struct Relief {
   double
   height (double x, double y) const
   {
-    // Ratios of lengths and heights to those of the long waves along x. The lengths
-    // differ, so that hills do not repeat.
+    // Ratios of lengths and heights to those of the long waves along x. The length of
+    // the short waves, which run diagonally, is measured along x or y. Hills repeat
+    // along x after each wave_length, along y after 6.5 of them.
     constexpr double length_along_y = 1.3;
     constexpr double length_of_short_waves = 0.5;
     constexpr double height_of_short_waves = 0.35;

@@ -292,7 +292,8 @@ addSide (Site& street, const Isometry3d& pose, Random& random)
 Isometry3d
 poseOnLane (const Site& street, double x)
 {
-  constexpr double share_of_width = 0.15; // from the middle of the road
+  // From the middle of the road: parked cars take some 2.4 m of the lane at the curb.
+  constexpr double share_of_width = 0.15;
   return turnZ (street.yaw) * at ({x, -share_of_width * street.size.y(), 0});
 }
 

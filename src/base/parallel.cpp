@@ -75,9 +75,9 @@ public:
   {}
 
   /** \brief Does pieces that no other thread has taken, from piece \p first on, and
-   * after the last piece from 0 on. Threads begin at different pieces, the same in each
-   * call of this size: so the data of the call before may still be in a thread's cache.
-   */
+   * after the last piece from 0 on. Threads begin at different pieces, so that they
+   * seldom compete for one. The calling thread begins at 0 in each loop, so that the
+   * data of the loop before may still be in its cache. */
   void
   doPieces (std::size_t first = 0)
   {
@@ -88,9 +88,9 @@ public:
     }
   }
 
-  /** \brief Calls \ref doPieces with a first piece of its own. Each of \p helpers
-   * threads calls this function once, beside the thread that called parallelFor, which
-   * begins at piece 0: the first pieces of all threads are evenly spread. */
+  /** \brief Calls \ref doPieces with a first piece of its own. Workers call this
+   * function \p helpers times at most, beside the thread that called parallelFor, which
+   * begins at piece 0: the first pieces of all calls are evenly spread. */
   void
   help (std::size_t helpers)
   {
@@ -173,6 +173,7 @@ void
 callOnWorkers (std::size_t calls, const std::function<void()>& task)
 {
   Workers& workers = workersOfThisProcess();
+  std::size_t posted = 0; // at most one call per worker: others might never run
   {
     const std::lock_guard<std::mutex> lock (workers.mutex);
     try {
@@ -182,8 +183,9 @@ callOnWorkers (std::size_t calls, const std::function<void()>& task)
     catch (const std::system_error&) {
       // The system starts no more threads: go on with the started ones.
     }
+    posted = std::min (calls, workers.started);
   }
-  for (std::size_t i = 0; i < calls; ++i)
+  for (std::size_t i = 0; i < posted; ++i)
     boost::asio::post (workers.tasks, task);
 }
 
@@ -196,7 +198,7 @@ parallelFor (unsigned threads,
   if (size == 0)
     return;
   // Shared ownership: a helper may start after all pieces are done and this call has
-  // returned. So the call never waits for a thread that gets no processor.
+  // returned. So the call waits only for helpers that have begun a piece.
   const auto pieces = std::make_shared<Pieces> (size, piece_size, body);
   constexpr std::size_t max_threads = 256; // chosen by hand, however many are asked for
   const std::size_t wanted_threads = threads ? threads : availableProcessors();

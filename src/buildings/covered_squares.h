@@ -101,7 +101,8 @@ private:
   }
 
   /** \brief Returns the mean, over samples in a cell, of the values of their squares.
-   * \param[in] valueOf returns the value of a square from its index into \ref counts_ */
+   * \param[in] valueOf returns the value of a square from its index into \ref
+   * counts_ */
   template <typename Value>
   double
   meanOver (const PlanCell& cell, const Value& valueOf) const

@@ -6,8 +6,8 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Returns the smallest rotation that turns the direction \p up to that of +z;
- * the identity if \p up is along +z.
+/** \brief Returns a rotation that turns the direction \p up to that of +z: the smallest
+ * one, unless \p up is nearly -z; the identity if \p up is along +z.
  *
  * With the unit vector up = (a, b, c), as the axis of the rotation is perpendicular to
  * up and z:

@@ -132,8 +132,8 @@ momentsOfLabels (const Coordinates& points,
                  unsigned threads)
 {
   // A piece has at least this many points per plane. Otherwise, with thousands of
-  // planes, its sums, 104 bytes per plane, would take more memory than its points, 12
-  // bytes each.
+  // planes, its sums, 104 bytes per plane, would take far more memory than its points,
+  // 12 bytes each.
   constexpr std::size_t min_points_per_plane = 8;
   const auto momentsOfPiece = [&] (std::size_t begin, std::size_t end) {
     std::vector<Moments> moments (planes);

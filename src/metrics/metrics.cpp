@@ -192,10 +192,13 @@ checkSizes (std::size_t points,
   const bool have_same_size = truth.size() == points && result.size() == points &&
                               (is_ignored.empty() || is_ignored.size() == points);
   if (!have_same_size)
-    throw std::invalid_argument (std::to_string (points) + " points, " +
-                                 std::to_string (truth.size()) + " true labels and " +
-                                 std::to_string (result.size()) +
-                                 " found ones do not belong together");
+    throw std::invalid_argument (
+        std::to_string (points) + " points, " + std::to_string (truth.size()) +
+        " true labels and " + std::to_string (result.size()) +
+        " found ones do not belong together" +
+        (is_ignored.empty() ? ""
+                            : ", with " + std::to_string (is_ignored.size()) +
+                                  " marks of what is ignored"));
 }
 
 /** Returns Metrics::named. */

@@ -246,9 +246,12 @@ evidenceFor (const Vector3d& up,
   // Share of the gaze that is along the direction, lower for scans in all directions.
   const double gaze_along_up =
       gaze.dot (up) * gaze.dot (up) / (total_variance + gaze.squaredNorm());
-  // Points at one height have no skewness; rounding may make their variance negative.
-  const double skewness =
-      variance > 0.0 ? third_moment / std::pow (variance, 1.5) : 0.0;
+  // Points at one height have no skewness. Rounding leaves less than this share of
+  // their variance, also below zero.
+  constexpr double max_share_by_rounding = 1e-12;
+  const double skewness = variance > max_share_by_rounding * total_variance
+                              ? third_moment / std::pow (variance, 1.5)
+                              : 0.0;
   // Weights by maximum likelihood on 300 simulated rooms, with a weak prior towards 0.
   constexpr double weight_of_facing = 13.0;
   constexpr double weight_of_vertical = 1.5;

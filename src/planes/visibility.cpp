@@ -203,8 +203,8 @@ detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoi
 bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
 {
-  // From the position of a sensor few points are occluded. Up to this fraction the
-  // points were surely measured from the viewpoint. Both fractions are chosen by hand.
+  // From the position of a sensor few points are occluded: visibility.h has measured
+  // fractions. Up to this one the points were surely measured from the viewpoint.
   constexpr double max_sure_fraction = 0.01;
   // Up to this fraction they probably were, if the steps between directions cannot
   // tell.

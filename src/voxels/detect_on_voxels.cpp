@@ -24,10 +24,10 @@ namespace {
 
 using Parameters = OrientedPointSamplingParameters;
 
-// Limits for the number of points in a voxel and its neighbors, by the parameter k:
-// with k / neighborhood_factor points or more they have a normal, as small CAD models
-// have no more points there; with fewer than k * neighborhood_factor the voxel is
-// sparse. Chosen by hand; src/doc/constants.csv has F with 1.
+// Gives two limits for the number of points in a voxel and its neighbors, by the
+// parameter k. A normal needs k / neighborhood_factor points at least: small CAD models
+// often have fewer than k there. With fewer than k * neighborhood_factor points the
+// voxel is sparse. Chosen by hand; src/doc/constants.csv has F with a factor of 1.
 constexpr double neighborhood_factor = 2.0;
 
 VoxelLevels
@@ -104,8 +104,9 @@ mergedPlanes (const VoxelGrid& grid,
   return merged;
 }
 
-// Merges planes that are one, in the voxels of both sizes: planes has the coarse voxels
-// of each plane, finer.planes its finer voxels and all planes.
+// Merges planes that are one, in the voxels of both sizes. planes has the planes found
+// in coarse voxels. finer.planes has the same planes first, then those found in finer
+// voxels; it has the finer voxels of all of them.
 void
 joinPlanes (const VoxelGrid& grid,
             const Parameters& parameters,
@@ -217,7 +218,8 @@ labelSparsePoints (const Points& points,
                    StageDurations& durations,
                    AssignedPoints& assigned)
 {
-  // Voxels of a given size do not change with the points.
+  // A user who gives the size of voxels gets planes on these voxels alone, so that
+  // parts of a cloud have the voxels of the whole.
   if (parameters.surfels.voxel_size)
     return;
   const VoxelGrid& grid = voxels.coarse;

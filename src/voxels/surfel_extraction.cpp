@@ -59,7 +59,7 @@ struct SurfelSpread {
   SurfelPatch
   growFrom (std::uint32_t seed)
   {
-    constexpr std::size_t voxels_of_first_fit = 4; // chosen by hand, as is the half
+    constexpr std::size_t voxels_of_first_fit = 4; // chosen by hand, as is 3 / 2
     std::size_t next_fit = voxels_of_first_fit;
     ++seed_number;
     Plane plane = surfels[seed]->plane;

@@ -35,6 +35,8 @@ TEST (TurnUpright, TurnsUpToZAndMirrorsNothing)
 
 TEST (TurnUpright, TurnsTheShortestWay)
 {
+  // Where up is along z any axis will do. all_ups[4] is nearly -z, where half a turn
+  // about x comes first.
   for (const Vector3d& up : {all_ups[1], all_ups[2], all_ups[3]}) {
     const Vector3d axis = up.cross (Vector3d::UnitZ());
     EXPECT_TRUE ((turnUpright (up) * axis).isApprox (axis, 1e-12)) << up;

@@ -130,7 +130,7 @@ TEST (VoxelChoice, TakesLargerVoxelsWhereHalfOfTheFloorIsInTwoStepsOfAQuantizedD
 TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
 {
   // A floor of 40 m x 40 m with 90,000 points, in voxels of some 2 m, and 40,000 more
-  // points on a square millimeter of it. Voxels become 1/16 as large at most, 12 cm.
+  // points on a square millimeter of it. Voxels shrink to no less than 1/16, 12 cm.
   constexpr int floor_steps = 300, dense_steps = 200;
   Points points;
   addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, floor_steps);

@@ -24,7 +24,8 @@ struct FloorPlanParameters {
    * add its height. The default is above most furniture and below the heads of doors
    * and windows, as in architects' plans. */
   double cut_height = 1.2;
-  /** \brief Smallest width of a gap in a wall that is an opening [m]. */
+  /** \brief Smallest width of a gap in a wall that is an opening [m]. What an end of
+   * the wall was extended by, to meet another wall, does not count. */
   double min_opening = 0.4;
   /** \brief Largest width of an opening [m]. A wider gap separates two walls. */
   double max_opening = 4.0;

@@ -127,7 +127,7 @@ cloudOf (const DepthImage& image,
          const Eigen::Matrix3d& extrinsics)
 {
   constexpr double meters_per_millimeter = 0.001;
-  constexpr double max_depth = 8.0; // [m]
+  constexpr double max_depth = 8.0; // [m], see data_sets.h
   // From x right, y along gravity, z forward to x right, y forward, z against gravity.
   Eigen::Matrix3d gravity_to_z_up;
   gravity_to_z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;

@@ -34,9 +34,9 @@ using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
 
 /** Number of neighbors for a normal in CGAL's tutorial. */
 constexpr unsigned tutorial_neighbors = 24;
-/** Default number of points of the smallest region. It is no min_share_of_plane, as for
- * Efficient RANSAC: CGAL drops a smaller region and grows it again from each of its
- * points, which then takes minutes. */
+/** Default number of points of the smallest region. Unlike that of Efficient RANSAC it
+ * is not min_share_of_plane: CGAL drops a smaller region and grows it again from each
+ * of its points, which then takes minutes. */
 constexpr std::size_t min_points_of_region = 50;
 /** Largest angle between the normals of a point and of its plane: CGAL's default for
  * both detectors [degree]. */

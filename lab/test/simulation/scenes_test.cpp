@@ -54,6 +54,7 @@ expectSpread (const PointSpread& spread)
     EXPECT_GE (measured, spread.lowest - 1e-9);
     EXPECT_LE (measured, spread.highest + 1e-9);
     below += measured < spread.limit;
+    // Normals point away from the origin, but those of the inner half of a torus.
     const double outwards = point.normal.dot (point.position);
     EXPECT_TRUE (spread.kind == Shape::Kind::Torus || outwards >= -1e-9) << outwards;
   }

@@ -27,6 +27,7 @@ TEST (GeoPackage, HasNoGeometryOfAWallWithoutASolidPart)
 {
   if (!hasSqlite())
     GTEST_SKIP() << "built without SQLite";
+  // A wall is a line for each part between openings; this one has no such part.
   const std::string none = R"({"type":"MultiLineString","coordinates":[]})";
   EXPECT_EQ (packageOf (none), packageOf ("null"));
 }

@@ -9,14 +9,17 @@
 using Eigen::Vector3d;
 using namespace pcl_ops;
 
+// isSeenFrom is code of src/planes; only tests of programs read the files of scans.
 TEST (IsSeenFrom, IsTrueOfTheSensorOfALidarScanAndFalse3MetersBesideAndBelowIt)
 {
   const auto scans = lidarScansIn (PCL_OPS_DATA_DIR);
   if (scans.empty())
     GTEST_SKIP() << "no lidar scans in " << PCL_OPS_DATA_DIR;
   for (const auto& file : scans) {
-    const auto cloud = apps::shiftedCloudOf (apps::loadCloud (file.string())).cloud;
-    const CloudView view (*cloud);
+    const auto shifted = apps::shiftedCloudOf (apps::loadCloud (file.string()));
+    ASSERT_EQ (shifted.shift, Vector3d (Vector3d::Zero()))
+        << file << ": the sensor is no longer at zero";
+    const CloudView view (*shifted.cloud);
     EXPECT_TRUE (isSeenFrom (Vector3d::Zero(), view)) << file;
     constexpr double distance = 3.0; // of the wrong positions from the sensor [m]
     constexpr int directions = 8;

@@ -312,7 +312,7 @@ TEST_F (CloudFile, HasNoPoseWhereItsViewpointIsNotFinite)
 TEST_F (CloudFile, HasWhatTheTableSays)
 {
   const auto rows = tableIn (PCL_OPS_READ_FILES);
-  ASSERT_FALSE (rows.empty());
+  ASSERT_GT (rows.size(), 30u);
   for (const auto& row : rows) {
     SCOPED_TRACE (row.at (0) + " " + row.at (1));
     EXPECT_EQ (textOf (load (row[0], contentOfRow (row[0], row[1]))), row.at (2));
@@ -337,7 +337,7 @@ TEST_F (CloudFile, HasTinyNumbersAlsoWhereALocaleHasADecimalComma)
 TEST_F (CloudFile, IsRefusedForWhatTheTableSays)
 {
   const auto rows = tableIn (PCL_OPS_REFUSED_FILES);
-  ASSERT_FALSE (rows.empty());
+  ASSERT_GT (rows.size(), 60u);
   for (const auto& row : rows) {
     SCOPED_TRACE (row.at (0) + " " + row.at (1));
     EXPECT_EQ (complaintAbout (row[0], contentOfRow (row[0], row[1])), row.at (2));

@@ -203,10 +203,11 @@ TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
   }
 }
 
-TEST (Outline, StaysWhereHolesAreLargerThanItsPart)
+TEST (Outline, IsNotMovedWhereHolesTogetherAreLargerThanTheirPart)
 {
   // A part of 10 m x 10 m counter-clockwise, and beside it two rings of 9 m x 9 m
-  // clockwise, as edges that two tiles do not share may leave them.
+  // clockwise, as edges that two tiles do not share may leave them. The rings count as
+  // holes of the part: less area than none is left to tell how far apart points are.
   std::vector<OutlineEdge> edges;
   const auto add_ring = [&edges] (const std::vector<LatticePoint>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i)
