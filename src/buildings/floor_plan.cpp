@@ -115,8 +115,8 @@ lowestWallPoint (const std::vector<PlanPlane>& planes)
 }
 
 /** \brief Returns the height [m] of the lowest floor that has at least the share
- * min_share_of_largest_floor of the points of the largest floor. Without a floor it is
- * the height of the lowest point of a wall, or 0 without walls. */
+ * min_share_of_largest_floor of the points of the largest floor. Without a floor that
+ * has points it is the height of the lowest point of a wall, or 0 without walls. */
 double
 lowestFloor (const std::vector<PlanPlane>& planes)
 {
@@ -128,7 +128,7 @@ lowestFloor (const std::vector<PlanPlane>& planes)
       constants.min_share_of_largest_floor * static_cast<double> (points_of_largest);
   std::optional<double> lowest;
   for (const PlanPlane& plane : planes)
-    if (plane.kind == PlaneKind::Floor &&
+    if (plane.kind == PlaneKind::Floor && !plane.points.empty() &&
         static_cast<double> (plane.points.size()) >= min_points)
       lowest = std::min (lowest.value_or (plane.height), plane.height);
   return lowest ? *lowest : lowestWallPoint (planes);
@@ -253,7 +253,7 @@ coverAt (const std::vector<PlanPlane>& planes, double floor, double height_of_cu
   return cover;
 }
 
-/** \brief Changes walls over which the ceiling continues to PlaneKind::Other: they are
+/** \brief Changes walls over which the ceiling goes on to PlaneKind::Other: they are
  * fronts and sides of furniture, however large. */
 void
 excludeFurniture (const Cover& cover, std::vector<PlanPlane>& planes)
@@ -417,7 +417,7 @@ PlanWall::solidParts() const
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> parts;
   Eigen::Vector2d begin = from;
   const auto add = [&] (const Eigen::Vector2d& end) {
-    constexpr double shortest = 1e-3; // [m]
+    constexpr double shortest = 1e-3; // [m]: shorter parts are rounding errors
     if ((end - begin).norm() > shortest)
       parts.emplace_back (begin, end);
   };

@@ -688,6 +688,19 @@ TEST (FloorPlan, IsCutOverTheLowestFloorAtAnyHeight)
   EXPECT_EQ (numberOfOpenings (plan), 1u);
 }
 
+TEST (FloorPlan, IsCutOverTheFootOfItsWallsWhereItsFloorHasNoPoints)
+{
+  Building room;
+  room.wall ({0, 0}, {4, 0});
+  for (pcl::PointXYZ& point : room.cloud)
+    point.z += 30.0f;
+  room.planes.emplace_back(); // without inliers
+  room.kinds.push_back (PlaneKind::Floor);
+  const FloorPlan plan = room.plan();
+  EXPECT_NEAR (plan.height, 30_m + half_spacing + 1.2_m, 1_mm);
+  EXPECT_EQ (plan.walls.size(), 1u);
+}
+
 TEST (FloorPlan, CutInAnUpperStoryHasTheHeightOfItsFloor)
 {
   Building house = roomOf4By3();
