@@ -90,17 +90,21 @@ struct Scene {
 };
 
 /** \brief Returns the position of the sensor; nothing if it is not given, or farther
- * away than sensors see, as the zero of map coordinates is. */
+ * away than sensors see, as the zero of map coordinates is. Distances are those from
+ * the middle of the scene, which does not depend on the order of the planes. */
 Viewpoint
 nearSensor (const Viewpoint& sensor, const std::vector<PlaneExtent>& extents)
 {
   if (!sensor || extents.empty())
     return {};
-  const Vector3d& first_center = extents.front().center;
-  double size = 0.0; // of the scene, around the first plane
+  Eigen::AlignedBox3d centers;
   for (const PlaneExtent& extent : extents)
-    size = std::max (size, (extent.center - first_center).norm() + extent.length);
-  const double distance = (*sensor - first_center).norm();
+    centers.extend (extent.center);
+  const Vector3d middle = centers.center();
+  double size = 0.0; // of the scene: how far its planes reach from the middle
+  for (const PlaneExtent& extent : extents)
+    size = std::max (size, (extent.center - middle).norm() + extent.length);
+  const double distance = (*sensor - middle).norm();
   return distance > constants.max_distance_by_size * size ? std::nullopt : sensor;
 }
 
@@ -133,16 +137,22 @@ shapeOf (const PlaneSegment& plane,
   return shape;
 }
 
-/** \brief Throws if a shape is not finite: levelsOf would loop forever for NaN. */
+/** \brief Throws if a shape or a corner of its hull is not finite: levelsOf would loop
+ * forever for NaN. */
 void
-checkIsFinite (const PlaneShape& shape)
+checkIsFinite (const PlaneShape& shape, const PlaneExtent& extent, double meter)
 {
   // A sum is not finite if one of its terms is not.
   const Vector3d sum_of_vectors =
       shape.normal + shape.center + shape.long_axis + shape.short_axis;
   const double sum = shape.length + shape.width + shape.area + shape.slope +
                      shape.middle + shape.low + shape.high;
-  if (!sum_of_vectors.allFinite() || !std::isfinite (sum))
+  // std::min and std::max leave NaN out of shape.low and shape.high.
+  const bool has_finite_hull = std::all_of (
+      extent.hull.begin(), extent.hull.end(), [meter] (const Vector3d& corner) {
+        return (corner / meter).allFinite();
+      });
+  if (!sum_of_vectors.allFinite() || !std::isfinite (sum) || !has_finite_hull)
     throw std::invalid_argument ("planes and their extents must be finite in meters");
 }
 
@@ -156,7 +166,7 @@ shapesOf (const std::vector<PlaneSegment>& planes,
   std::vector<PlaneShape> shapes;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     shapes.push_back (shapeOf (planes[i], extents[i], up, meter, sensor));
-    checkIsFinite (shapes.back());
+    checkIsFinite (shapes.back(), extents[i], meter);
   }
   return shapes;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rectangles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -325,6 +326,20 @@ TEST (PlaneKinds, OfAMapDoNotDependOnASensorFarAwayFromIt)
   EXPECT_EQ (map.kindsFromSensor(), (Names{"floor", "ceiling"}));
 }
 
+TEST (PlaneKinds, OfPlanesFarBelowASensorDoNotDependOnTheirOrder)
+{
+  // A level above a floor, and two more floors in a row, 100 m and 200 m away. The
+  // sensor is about 500 times as far away as the planes reach.
+  Rectangles map;
+  map.sensor = {100, 0, 75e3};
+  map.level (0.0, 8_m, 8_m).level (3.0, 8_m, 8_m);
+  map.level (0.0, 2_m, 2_m, 100.0).level (0.0, 2_m, 2_m, 200.0);
+  const Names kinds = map.kindsFromSensor();
+  std::rotate (map.planes.begin(), map.planes.begin() + 2, map.planes.end());
+  std::rotate (map.extents.begin(), map.extents.begin() + 2, map.extents.end());
+  EXPECT_EQ (map.kindsFromSensor(), (Names{kinds[2], kinds[3], kinds[0], kinds[1]}));
+}
+
 TEST (PlaneKinds, OfATerraceBelowTheSensorAndItsWallAreFloorAndWall)
 {
   Rectangles terrace;
@@ -448,6 +463,18 @@ TEST (PlaneKinds, RefusePlanesWhoseHeightIsNotFinite)
       << "a meter so short that heights in meters are infinite";
   room.planes[0].centroid.z() = not_a_number;
   EXPECT_THROW (planeKinds (room.planes, room.extents, up), std::invalid_argument);
+}
+
+TEST (PlaneKinds, RefuseExtentsWhoseHullIsNotFinite)
+{
+  const Vector3d up = Vector3d::UnitZ();
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity()}) {
+    Rectangles room = shell();
+    room.extents[0].hull[1].x() = value;
+    EXPECT_THROW (planeKinds (room.planes, room.extents, up), std::invalid_argument)
+        << value;
+  }
 }
 
 TEST (PlaneKinds, FollowAnUpAxisOfAnyLength)
