@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace pcl_ops {
@@ -21,7 +20,8 @@ using Eigen::Vector3d;
 struct DirectionGroup {
   Vector3d direction;  // unit vector
   double points = 0.0; // number of points of all planes
-  /** \brief Indices of the planes in the list of planes, the largest plane first. */
+  /** \brief Indices of the planes in the list of planes, by falling number of points;
+   * those of a group that was joined follow behind. */
   std::vector<std::size_t> members = {};
 };
 
@@ -32,12 +32,16 @@ towards (const Vector3d& direction, const Vector3d& side)
   return direction.dot (side) < 0.0 ? Vector3d (-direction) : direction;
 }
 
-/** \brief Returns the indices of all planes by falling number of points. */
+/** \brief Returns the indices of the planes that have points, by falling number of
+ * points. The moments of a plane without points say neither its mean nor its rms, so
+ * that it stays. */
 std::vector<std::size_t>
 largestFirst (const std::vector<PlaneSegment>& planes)
 {
-  std::vector<std::size_t> order (planes.size());
-  std::iota (order.begin(), order.end(), std::size_t (0));
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (planes[i].moments.count > 0.0)
+      order.push_back (i);
   std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
     return planes[a].moments.count > planes[b].moments.count;
   });
@@ -87,8 +91,9 @@ parallelGroups (const std::vector<PlaneSegment>& planes,
   return groups;
 }
 
-/** \brief Largest cosine of directions that count as orthogonal, and largest sine of
- * directions that count as parallel, but for rounding. */
+/** \brief Largest cosine of directions that are orthogonal, and largest sine of
+ * directions that are parallel, but for rounding. Chosen by hand: rounding makes some
+ * 1e-16 of it, max_angle is far larger. */
 constexpr double rounding = 1e-9;
 
 /** \brief Makes the direction of each group orthogonal to that of a larger group: of
@@ -141,7 +146,7 @@ joinEqualDirections (std::vector<DirectionGroup>& groups)
 }
 
 /** \brief Returns how far a plane moves if it is turned about its centroid to \p normal
- * and then shifted along \p normal by \p offset [m]. */
+ * and then shifted along \p normal by \p offset [unit of the planes]. */
 PlaneMove
 moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
 {
@@ -163,7 +168,8 @@ moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
   return move;
 }
 
-/** \brief Returns whether a move is larger than rounding errors. */
+/** \brief Returns whether a move is larger than rounding errors. Its limits are chosen
+ * by hand. */
 bool
 isMove (const PlaneMove& move, const PlaneSegment& plane)
 {
@@ -251,7 +257,8 @@ private:
   }
 
   /** \brief Returns the position of plane \p i along the direction of its group, from
-   * the centroid of the largest plane of the group [m]. */
+   * the centroid of the first plane of the group [unit of the planes]: positions from
+   * zero would lose digits in map coordinates. */
   double
   positionOf (std::size_t i, const DirectionGroup& group) const
   {
@@ -260,8 +267,7 @@ private:
   }
 
   /** \brief Returns the largest distance of two parallel planes that become coplanar
-   * [m].
-   */
+   * [unit of the planes]. */
   double
   maxOffset (std::size_t first, std::size_t second) const
   {

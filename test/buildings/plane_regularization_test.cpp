@@ -214,6 +214,24 @@ TEST (PlaneRegularization, IsTheSameInUtmCoordinates)
     EXPECT_LT ((here.planes[i].normal - there.planes[i].normal).norm(), 1e-9);
 }
 
+TEST (PlaneRegularization, LeavesPlanesWithoutPointsAsTheyAre)
+{
+  std::vector<PlaneSegment> planes = box().planes;
+  for (const double y : {0.0, 1e-3}) { // nearly parallel to each other and to a wall
+    PlaneSegment& empty = planes.emplace_back();
+    empty.normal = Vector3d (1, y, 0).normalized();
+    empty.centroid = {5, 0, 1};
+  }
+  const RegularizedPlanes found = regularizePlanes (planes);
+  for (const std::size_t i : {4u, 5u}) {
+    EXPECT_FALSE (found.moves[i].is_moved) << i;
+    EXPECT_EQ (found.planes[i].normal, planes[i].normal) << i;
+    EXPECT_EQ (found.planes[i].centroid, planes[i].centroid) << i;
+  }
+  EXPECT_NE (found.moves[4].level, found.moves[5].level);
+  EXPECT_NEAR (cosine (found.planes[1], found.planes[2]), -1.0, 1e-12) << "the others";
+}
+
 TEST (PlaneRegularization, OfNoPlanesIsEmpty)
 {
   EXPECT_TRUE (Squares().regularized().planes.empty());

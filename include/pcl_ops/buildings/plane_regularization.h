@@ -15,20 +15,21 @@
 
 namespace pcl_ops {
 
-/** \brief Parameters of \ref regularizePlanes. */
+/** \brief Parameters of \ref regularizePlanes. Lengths are in the unit of the planes.
+ * The defaults are chosen by hand. */
 struct PlaneRegularizationParameters {
   /** \brief Planes become parallel or orthogonal if their angle differs by at most this
    * from 0 or pi/2 [rad]; by default 3 degrees. */
   double max_angle = 3.0 * (M_PI / 180.0);
-  /** \brief Parallel planes become coplanar if they are within this distance [m]. Not
-   * given: 3 sqrt (rms1^2 + rms2^2). */
+  /** \brief Parallel planes become coplanar if they are within this distance [unit of
+   * the planes]. Not given: 3 sqrt (rms1^2 + rms2^2). */
   std::optional<double> max_offset;
   /** \brief Largest displacement of a plane. The displacement is the rms change of the
    * distances of its inliers to it, over their rms distance to it before the move: it
-   * has no unit. A larger move is not made; so a plane of rms 0 never moves. The
-   * covariance of a plane with n inliers is rms^2 (A^T A)^-1 (\ref
-   * independentPlaneCovariance). So a displacement of 1 is sqrt (n) standard
-   * deviations. */
+   * has no unit. A larger move is not made; so a plane of rms 0 never moves, and
+   * neither does one without points. The covariance of a plane with n inliers is rms^2
+   * (A^T A)^-1 (\ref independentPlaneCovariance). So a displacement of 1 is sqrt (n)
+   * standard deviations. */
   double max_displacement = 1.0;
 };
 
@@ -39,7 +40,7 @@ validate (const PlaneRegularizationParameters& parameters);
 /** \brief The move of a plane. */
 struct PlaneMove {
   /** \brief The plane is rotated about its centroid by angle [rad], then shifted along
-   * its new normal by offset [m]. */
+   * its new normal by offset [unit of the planes]. */
   double angle = 0.0;
   double offset = 0.0;
   /** \brief Displacement as in \ref PlaneRegularizationParameters::max_displacement. If
