@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+// Checks of the arguments of public functions.
 namespace pcl_ops::internal::buildings {
 
 /** \brief Throws std::invalid_argument with the text \p problem unless it is empty. */

@@ -18,7 +18,8 @@ using Eigen::Vector2d;
 bool
 hasWallAt (const CellLine& other, const Vector2d& position)
 {
-  constexpr double on_line = 0.01; // [m]
+  // [m]; ends that were moved to the line are on it but for rounding. Chosen by hand.
+  constexpr double on_line = 0.01;
   const double on_other = other.line.positionOf (position);
   return std::abs (other.line.distance (position)) < on_line &&
          std::any_of (
@@ -88,36 +89,37 @@ linesAcrossFreeEnds (const std::vector<CellLine>& lines)
   return across;
 }
 
-/** \brief Returns whether walls on a line are on another line, too, whichever way both
- * lines run. */
+/** \brief Returns whether all walls of another line are on \p line, too, whichever way
+ * both lines run. */
 bool
-areOn (const PlanLine& line, const CellLine& other)
+hasWallsOf (const CellLine& other, const PlanLine& line)
 {
-  constexpr double same = 1e-6; // largest distance of equal lines [m]
+  // [m]: more than rounding makes of equal lines, far less than noise. Chosen by hand.
+  constexpr double on_line = 1e-6;
   return std::all_of (
       other.walls.begin(), other.walls.end(), [&] (const Interval& wall) {
-        return std::abs (line.distance (other.line.at (wall.from))) < same &&
-               std::abs (line.distance (other.line.at (wall.to))) < same;
+        return std::abs (line.distance (other.line.at (wall.from))) < on_line &&
+               std::abs (line.distance (other.line.at (wall.to))) < on_line;
       });
 }
 
-/** \brief Adds walls to the line on which they are, or else as a line of their own. Of
- * two equal lines only the first one would have sides of cells. */
+/** \brief Adds a line with walls, or its walls to an equal line. Of two equal lines
+ * only the first one would have sides of cells. */
 void
-addWalls (CellLine walls, std::vector<CellLine>& lines)
+addLine (CellLine added, std::vector<CellLine>& lines)
 {
   const auto same =
-      std::find_if (lines.begin(), lines.end(), [&walls] (const CellLine& line) {
-        return areOn (line.line, walls) && areOn (walls.line, line);
+      std::find_if (lines.begin(), lines.end(), [&added] (const CellLine& line) {
+        return hasWallsOf (added, line.line) && hasWallsOf (line, added.line);
       });
   if (same == lines.end())
-    return lines.push_back (std::move (walls));
+    return lines.push_back (std::move (added));
   same->faces_both_ways =
-      same->faces_both_ways || same->line.along.dot (walls.line.along) < 0.0;
-  for (const Interval& wall : walls.walls) {
+      same->faces_both_ways || same->line.along.dot (added.line.along) < 0.0;
+  for (const Interval& wall : added.walls) {
     const auto [from, to] =
-        std::minmax ({same->line.positionOf (walls.line.at (wall.from)),
-                      same->line.positionOf (walls.line.at (wall.to))});
+        std::minmax ({same->line.positionOf (added.line.at (wall.from)),
+                      same->line.positionOf (added.line.at (wall.to))});
     same->walls = unionOf (same->walls, {{from, to}}, 0.0);
   }
 }
@@ -134,7 +136,7 @@ cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& sp
       if (span.face == i)
         line.walls.push_back (span.whole);
     if (!line.walls.empty())
-      addWalls (std::move (line), lines);
+      addLine (std::move (line), lines);
   }
   const std::vector<CellLine> across = linesAcrossFreeEnds (lines);
   if (lines.size() + across.size() > constants.max_walls)

@@ -7,10 +7,12 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Constants of plane kinds, floor plans and right angles, tuned on simulated
- * rooms and surveys; src/doc/buildings.md has the rules that use them. Lengths are in
- * meters, areas in square meters, angles in radians. Parameters that users choose are
- * in FloorPlanParameters and PlaneRegularizationParameters. */
+/** \brief Constants of plane kinds, floor plans and right angles; src/doc/buildings.md
+ * has the rules that use them. Numbers without a reason beside them are chosen by hand,
+ * on simulated rooms and surveys. Tests of limits (test/buildings) show from both sides
+ * what many of them decide. Lengths are in meters, areas in square meters, angles in
+ * radians. Parameters that users choose are in FloorPlanParameters and
+ * PlaneRegularizationParameters. */
 struct BuildingConstants {
   // Stories.
   /** \brief Level planes whose heights differ by at most this are one level. */
@@ -189,7 +191,8 @@ struct BuildingConstants {
   double spacings_of_gap = 6.0;
   /** \brief Edge of the squares of the grid by which that spacing is measured. */
   double edge_of_spacing_square = 0.25;
-  /** \brief Largest distance of faces on one line; less than the recess of a door. */
+  /** \brief Largest distance of faces on one line. A leaf that is a wall by its kind
+   * and set back by less is a part of its wall, and makes no opening. */
   double max_off_line = 0.05;
   /** \brief How far door leaves and window panes are set back behind the face of the
    * wall. */
@@ -250,7 +253,7 @@ struct BuildingConstants {
   double min_walled_share = 0.5;
   /** \brief A room extends to a wall over a strip of unseen floor up to this wide. */
   double max_unseen = 0.5;
-  /** \brief A narrower area lies between the two sides of a wall. */
+  /** \brief A narrower area lies between the two sides of a wall, or is no room. */
   double min_room_width = 0.35;
   /** \brief Largest density of floor and ceiling points between the two sides of a
    * wall, as a share of their mean density in the plan, or of that on the denser side
@@ -269,8 +272,9 @@ struct BuildingConstants {
   double step_to_room = 0.05;
   /** \brief A sill lower than this is the threshold of a door. */
   double max_threshold = 0.25;
-  /** \brief Distance of the rim of a plan from the outermost walls. An end of a wall is
-   * free if no other wall passes through it or ends nearer to it than this. */
+  /** \brief Distance of the rim of a plan from the outermost walls. An outermost end of
+   * a wall is free if no other wall passes through it or ends nearer to it than this.
+   */
   double margin_of_plan = 0.5;
   /** \brief A plan with more walls gets no rooms: the number of cells grows with the
    * square of the number of walls. */
@@ -280,7 +284,8 @@ struct BuildingConstants {
   double min_edge_of_cover_square = 0.1;
   /** \brief Largest number of these squares. */
   double max_cover_squares = 4e6;
-  /** \brief Mean number of points of a covered square: then few of them are empty. */
+  /** \brief Mean number of points of a covered square. If the points are independent,
+   * the share e^-3 of such squares is empty, 5 %. */
   double points_of_cover_square = 3.0;
   /** \brief An empty square is covered, too, among points that are farther apart than
    * the edge of a square, as in a room that was scanned more sparsely than the rest of

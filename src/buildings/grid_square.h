@@ -17,7 +17,7 @@ using GridSquare = std::pair<long, long>;
 inline GridSquare
 squareAt (const Eigen::Vector2d& position, double edge)
 {
-  constexpr double farthest = 1e15; // [squares], so that neighbors have indices, too
+  constexpr double farthest = 1e15; // [squares]: neighbors, too, have exact indices
   const Eigen::Vector2d square =
       (position / edge).cwiseMin (farthest).cwiseMax (-farthest);
   return {std::lround (square.x()), std::lround (square.y())};

@@ -11,7 +11,8 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-/** \brief Points within this distance of a line lie on it [m]. */
+/** \brief Points within this distance of a line lie on it [m]: more than rounding moves
+ * a point up to 10^6 m from zero. */
 constexpr double on_line = 1e-7;
 
 /** \brief Returns whether two points lie on different sides of a line, neither on it.
@@ -52,7 +53,7 @@ partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t lin
       part.lines.push_back (is_from_in_part ? line_index : cell.lines[i]);
     }
   }
-  constexpr double smallest_area = 1e-10; // [m^2]
+  constexpr double smallest_area = 1e-10; // [m^2], chosen by hand
   if (part.corners.size() < 3 || areaOf (part.corners) < smallest_area)
     return {};
   return part;
@@ -84,7 +85,7 @@ struct KeyedSide {
 std::vector<KeyedSide>
 sidesByKey (const std::vector<PlanCell>& cells)
 {
-  constexpr double step = 1e-4; // of the rounded sums [m]
+  constexpr double step = 1e-4; // of the rounded sums [m], chosen by hand
   std::vector<KeyedSide> sides;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const PlanCell& cell = cells[c];

@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/** \brief Positions this near are the same but for rounding [m]. */
+/** \brief Positions this near are the same but for rounding [m]. Chosen by hand. */
 constexpr double rounding = 1e-3;
 
 /** \brief Union-find of cells: the cells of one room are one set. */
@@ -259,7 +259,8 @@ evidenceOfCell (const PlanCell& cell,
   return {covered_share * area, (1.0 - covered_share) * area, border.on_rim};
 }
 
-/** \brief Returns whether a side is at least a quarter of the border of its cell. */
+/** \brief Returns whether a side is at least a quarter of the border of its cell, as
+ * the two longer sides of a rectangle are. */
 bool
 isLong (const PlanSide& side, double border_length)
 {

@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 PlanarPoints
 withoutStraightCorners (const PlanarPoints& ring)
 {
-  constexpr double max_sine_of_no_turn = 1e-5;
+  constexpr double max_sine_of_no_turn = 1e-5; // chosen by hand
   PlanarPoints corners;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vector2d before = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
@@ -72,7 +72,7 @@ private:
   static RoundedPosition
   roundedPositionOf (const Vector2d& point)
   {
-    constexpr double step = 1e-4; // [m]
+    constexpr double step = 1e-4; // [m], chosen by hand
     return {std::llround (point.x() / step), std::llround (point.y() / step)};
   }
 

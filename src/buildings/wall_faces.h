@@ -70,7 +70,7 @@ struct WallFace {
    * furniture hides it at the cut; otherwise it may be a lintel over an open passage.
    * \ref faceOf leaves it false. */
   bool ends_rooms = false;
-  /** \brief Its planes, one at least. Key: index in the list of planes. Value: the
+  /** \brief Its planes, at least one. Key: index in the list of planes. Value: the
    * interval of the line from the first to the last point of the plane. */
   std::map<std::size_t, Interval> extent_of_plane;
 

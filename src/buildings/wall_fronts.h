@@ -31,7 +31,7 @@ public:
   bool
   areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
-  /** \brief Returns whether floors or ceilings continue from one side to the other
+  /** \brief Returns whether floors or ceilings go on from one side to the other
    * above the top of \p wall. Then \p wall is furniture: a ceiling ends at a real wall.
    */
   bool

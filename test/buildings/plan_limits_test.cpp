@@ -9,7 +9,8 @@
 
 namespace {
 
-/** \brief FloorPlanParameters::cut_height: over the floor, by default [m]. */
+/** \brief Height of the cut [m]: the default of FloorPlanParameters::cut_height, over a
+ * floor at height 0. */
 constexpr double height_of_cut = 1.2;
 
 /** \brief A limit of a quantity, and how many walls, openings or rooms a plan has for

@@ -9,7 +9,7 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-constexpr double cut_height = 1.2; // [m]
+constexpr double height_of_cut = 1.2; // [m]
 
 /** \brief The face of a wall along the x axis whose front is towards +y.
  * \param[in] points of the wall
@@ -17,11 +17,11 @@ constexpr double cut_height = 1.2; // [m]
 WallFace
 faceAlongX (const PlanPoints& points, std::size_t plane)
 {
-  return faceOf ({0, 1, 0}, points, plane, cut_height);
+  return faceOf ({0, 1, 0}, points, plane, height_of_cut);
 }
 
-/** \brief Adds a grid of points on an upright rectangle, 2 m high, at this y and from
- * one x to another. */
+/** \brief Adds a grid of points, 1 cm apart along x and 5 cm upwards, on an upright
+ * rectangle, 2 m high, at this y and from one x to another. */
 void
 addUpright (double y, double from, double to, PlanPoints& points)
 {
@@ -68,7 +68,7 @@ TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
   addUpright (0.0, 0.0, 1_m, points);
   addUpright (0.0, 2_m, 4_m, points);
   for (double x = 1_m; x < 1.4; x += 1_cm) // a counter at the height of the cut
-    points.emplace_back (x, 0.0, cut_height);
+    points.emplace_back (x, 0.0, height_of_cut);
   PlanPoints of_leaf;
   addUpright (-0.1, 1_m, 2_m, of_leaf);
   const std::vector<WallFace> walls =
@@ -94,7 +94,7 @@ TEST (WallFaces, OfFurnitureStandBeforeAWallThatIsSeenAboveThem)
           for (double z = lowest + 0.025; z < highest; z += 5_cm)
             of_wall.emplace_back (x, 0.0, z);
         return withoutFurniture ({faceAlongX (of_wall, 0),
-                                  faceOf ({0, side, 0}, of_front, 1, cut_height)})
+                                  faceOf ({0, side, 0}, of_front, 1, height_of_cut)})
             .size();
       };
   EXPECT_EQ (facesKept (0.4, 2.5, 1.0), 1u);
@@ -209,9 +209,9 @@ TEST (WallFaces, AreNoLeavesIfWallsThatFaceThemStandAtBothEndsOfTheGap)
       }
     std::vector<WallFace> faces = {faceAlongX (points, 0), faceAlongX (behind, 1)};
     if (has_left)
-      faces.push_back (faceOf ({1, 0, 0}, left, 2, cut_height));
+      faces.push_back (faceOf ({1, 0, 0}, left, 2, height_of_cut));
     if (has_right)
-      faces.push_back (faceOf ({-1, 0, 0}, right, 3, cut_height));
+      faces.push_back (faceOf ({-1, 0, 0}, right, 3, height_of_cut));
     const std::vector<WallFace> walls = withoutRecesses (faces, {});
     return std::count_if (walls.begin(), walls.end(), [] (const WallFace& face) {
       return face.line.along.x() > 0.9;

@@ -18,7 +18,8 @@
 
 namespace pcl_ops {
 
-/** \brief Parameters of \ref findFloorPlan. */
+/** \brief Parameters of \ref findFloorPlan. Defaults without a reason are chosen by
+ * hand. */
 struct FloorPlanParameters {
   /** \brief Height over the lowest floor at which walls are cut [m]; for another story
    * add its height. The default is above most furniture and below the heads of doors
@@ -49,7 +50,8 @@ struct PlanOpening {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
   /** \brief Height over the floor of the highest wall point below the cut, in the
-   * middle of the opening [m]; not set if the wall has no points there. */
+   * middle half of the width of the opening [m]; not set if the wall has no points
+   * there. */
   std::optional<double> sill;
   /** \brief The same of the lowest wall point above the cut. */
   std::optional<double> head;
@@ -129,7 +131,7 @@ struct FloorPlan {
   Eigen::Matrix3d to_plan = Eigen::Matrix3d::Identity();
   /** \brief Height of the floor below the cut: its z in the frame of the plan [m]. */
   double floor = 0.0;
-  /** \brief Height of the cut, as of the floor. */
+  /** \brief Height of the cut: its z in the frame of the plan [m]. */
   double height = 0.0;
   std::vector<PlanWall> walls;
   /** \brief Rooms by descending area; empty if there are more than 1000 walls. */
@@ -146,8 +148,8 @@ struct FloorPlan {
 
 /** \brief Makes a floor plan from planes and their kinds, as far as walls were seen.
  *
- * Wall planes that continue each other become one line. The points at the height of the
- * cut tell where the walls and their openings are; a gap hidden by an object is no
+ * Planes of walls that continue each other become one line. The points at the height of
+ * the cut tell where the walls and their openings are; a gap hidden by an object is no
  * opening. Ends of walls are moved to adjacent walls. The lines of all walls divide the
  * plan into cells. Cells under a ceiling or over a floor are in rooms, and rooms extend
  * over other cells up to a wall: a minimum cut decides it for all cells at once (after
