@@ -6,6 +6,7 @@
 
 #include <vector>
 
+// Tells ground from roofs and ceilings by the planes that continue it or lie below it.
 namespace pcl_ops::internal::buildings {
 
 /** \brief A plane seen from above, in meters, in a frame whose z is up. */

@@ -31,11 +31,10 @@ struct CellBorder {
  * in Ochmann et al. 2016 but with no labels for walls, minimizes the cost [m^2]
  *
  *     covered area outside of rooms + uncovered area inside of rooms
- *     + max_unseen [m] (constants.h) * length of the parts of borders of rooms that
- * have no wall.
+ *     + max_unseen * length of borders of rooms without a wall,
  *
- * So a room extends over unseen floor up to a wall. It can end at a wall even if some
- * floor was seen beyond the wall. */
+ * where max_unseen [m] is that of constants.h. So a room extends over unseen floor up
+ * to a wall. It can end at a wall even if some floor was seen beyond the wall. */
 std::vector<char>
 cellsInside (const std::vector<CellEvidence>& cells,
              const std::vector<CellBorder>& borders);

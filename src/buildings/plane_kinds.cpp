@@ -43,7 +43,7 @@ struct PlaneShape {
   bool faces_down = false; // by its normal
   Sight sight = {};
 
-  /** \brief Horizontal length of a vertical plane. */
+  /** \brief Horizontal length of a vertical plane: its mean over the height. */
   double
   span () const
   {

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+// The graph of rooms: its edges are openings, of which each knows the rooms before and
+// behind its wall. FloorPlan::roomsBehindDoorsOf reads it.
 namespace pcl_ops::internal::buildings {
 
 /** \brief Returns whether a position is inside the outline of a room and outside of its
