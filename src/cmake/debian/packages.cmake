@@ -70,6 +70,7 @@ of its own because it needs VTK.")
 endif()
 
 if(TARGET pcl_ops_python)
+  # The module works with one minor version of Python alone.
   string(REGEX MATCH "([0-9]+)\\.([0-9]+)" version ${PCL_OPS_PYTHON_VERSION})
   math(EXPR next_minor "${CMAKE_MATCH_2} + 1")
   set(next_version ${CMAKE_MATCH_1}.${next_minor})
