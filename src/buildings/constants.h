@@ -192,7 +192,7 @@ struct BuildingConstants {
   /** \brief Edge of the squares of the grid by which that spacing is measured. */
   double edge_of_spacing_square = 0.25;
   /** \brief Largest distance of faces on one line. A leaf that is a wall by its kind
-   * and set back by less is a part of its wall, and makes no opening. */
+   * and set back by less is a part of its wall, unless the wall surrounds it. */
   double max_off_line = 0.05;
   /** \brief How far door leaves and window panes are set back behind the face of the
    * wall. */

@@ -194,6 +194,21 @@ isSeenAbove (const WallFace& wall, const WallFace& face)
   return 2.0 * length_below_seen > on_wall.length();
 }
 
+/** \brief Returns whether a wall surrounds a leaf: the leaf is set back in a gap of it,
+ * and the wall was seen above the leaf, and at the height of the cut within
+ * max_closed_gap of both its ends. A part of the wall itself that lies behind the rest,
+ * as drift puts it, has no such wall around it. */
+bool
+surrounds (const WallFace& wall, const WallFace& leaf)
+{
+  if (!isRecessOf (leaf, wall) || !isSeenAbove (wall, leaf))
+    return false;
+  const double from = wall.line.positionOf (leaf.line.at (leaf.seen.front().from));
+  const double to = wall.line.positionOf (leaf.line.at (leaf.seen.back().to));
+  return coveredLength ({from - constants.max_closed_gap, from}, wall.at_cut) > 0.0 &&
+         coveredLength ({to, to + constants.max_closed_gap}, wall.at_cut) > 0.0;
+}
+
 /** \brief Returns whether a face stands at an end of a supposed leaf, faces it, and was
  * seen in most of the first meter before the wall of the leaf.
  * \param[in] end position along the line of the leaf [m]
@@ -307,7 +322,7 @@ joinFaces (std::vector<WallFace> faces)
       continue;
     const auto larger = std::find_if (
         joined.begin(), joined.end(), [&face] (const WallFace& candidate) {
-          return continues (face, candidate);
+          return continues (face, candidate) && !surrounds (candidate, face);
         });
     if (larger == joined.end())
       joined.push_back (std::move (face));

@@ -92,9 +92,9 @@ faceOf (const Eigen::Vector3d& normal,
         std::size_t plane_index,
         double height_of_cut);
 
-/** \brief Joins faces that lie on one line and face the same way. The joined face has
- * the line of the face with most points. Faces are returned in order of their planes.
- */
+/** \brief Joins faces that lie on one line and face the same way, unless one is a leaf
+ * or pane that the other surrounds. The joined face has the line of the face with most
+ * points. Faces are returned in order of their planes. */
 std::vector<WallFace>
 joinFaces (std::vector<WallFace> faces);
 

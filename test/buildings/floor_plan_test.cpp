@@ -227,6 +227,16 @@ TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBackByLessThanTheDepthOfWhatHides)
   EXPECT_EQ (numberOfOpenings (closed.plan()), 1u);
 }
 
+TEST (FloorPlan, HasAnOpeningWhereALeafNamedWallIsSetBackByLessThanPartsOfOneWall)
+{
+  Building closed = roomOf4By3();
+  const std::vector<Vector3d> leaf = uprightAlongX (-0.03, {1.025, 0.025}, {1.9, 2.05});
+  closed.add (PlaneKind::Wall, Vector3d::UnitY(), leaf);
+  const FloorPlan plan = closed.plan();
+  EXPECT_EQ (plan.walls.size(), 4u);
+  EXPECT_EQ (numberOfOpenings (plan), 1u);
+}
+
 TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
 {
   // A window from x = 1 m to 2.5 m, with a pane. A counter at the height of the cut has

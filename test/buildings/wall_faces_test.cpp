@@ -117,6 +117,26 @@ TEST (WallFaces, OnOneLineAreOneOfAllTheirPlanes)
   EXPECT_EQ (planesOf (joined[1]), (std::vector<std::size_t>{5, 7}));
 }
 
+TEST (WallFaces, OnOneLineAreApartWhereOneIsALeafThatTheOtherSurrounds)
+{
+  // The number of faces of a wall with a gap from x = 1 m to 2 m and of a leaf 3 cm
+  // behind the gap, 2 m high. The wall reaches over the gap from a height on.
+  const auto facesJoined = [] (double lintel) {
+    PlanPoints points;
+    addUpright (0.0, 0.0, 1_m, points);
+    addUpright (0.0, 2_m, 4_m, points);
+    for (double x = 1_m; x < 2.0; x += 1_cm)
+      for (double z = lintel; z < 2.5; z += 5_cm)
+        points.emplace_back (x, 0.0, z);
+    PlanPoints of_leaf;
+    addUpright (-3_cm, 1_m, 2_m, of_leaf);
+    return joinFaces ({faceAlongX (points, 0), faceAlongX (of_leaf, 1)}).size();
+  };
+  constexpr double no_lintel = 9_m;
+  EXPECT_EQ (facesJoined (2.05), 2u);
+  EXPECT_EQ (facesJoined (no_lintel), 1u) << "a part of the wall that drift moved";
+}
+
 TEST (WallFaces, OfNoPointsAreNone)
 {
   PlanPoints points;
