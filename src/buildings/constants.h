@@ -161,7 +161,8 @@ struct BuildingConstants {
   /** \brief Level planes at the cut or lower, but less than this below the floor, are
    * in the rooms at the cut. */
   double max_below_floor = 0.6;
-  /** \brief Ceilings less than this above the cut are over the rooms at the cut. */
+  /** \brief Ceilings less than this above the cut are over the rooms at the cut, unless
+   * most of them is over the floor of a story above. */
   double max_ceiling_over_cut = 6.0;
   /** \brief How far the roofs of a building seen from outside reach beyond its walls.
    */
@@ -264,7 +265,7 @@ struct BuildingConstants {
   /** \brief Shorter parts of an outline without a wall are left out. */
   double min_unseen_part = 0.05;
   /** \brief Edge of the squares of a grid each of which counts once for the height of a
-   * floor or a ceiling. */
+   * floor or a ceiling, and for whether a ceiling is over a floor. */
   double edge_of_height_square = 0.5;
   /** \brief The rooms of an opening are searched up to max_to_room from the side of the
    * wall, in steps of step_to_room. */

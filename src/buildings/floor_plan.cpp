@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -114,21 +115,30 @@ lowestWallPoint (const std::vector<PlanPlane>& planes)
   return lowest.value_or (0.0);
 }
 
-/** \brief Returns the height [m] of the lowest floor that has at least the share
- * min_share_of_largest_floor of the points of the largest floor. Without a floor that
- * has points it is the height of the lowest point of a wall, or 0 without walls. */
+/** \brief Returns the number of points of the smallest floors that count: the share
+ * min_share_of_largest_floor of the points of the largest floor, at least one. */
 double
-lowestFloor (const std::vector<PlanPlane>& planes)
+minPointsOfFloor (const std::vector<PlanPlane>& planes)
 {
   std::size_t points_of_largest = 0;
   for (const PlanPlane& plane : planes)
     if (plane.kind == PlaneKind::Floor)
       points_of_largest = std::max (points_of_largest, plane.points.size());
-  const double min_points =
-      constants.min_share_of_largest_floor * static_cast<double> (points_of_largest);
+  return std::max (1.0,
+                   constants.min_share_of_largest_floor *
+                       static_cast<double> (points_of_largest));
+}
+
+/** \brief Returns the height [m] of the lowest floor with \ref minPointsOfFloor.
+ * Without a floor that has points it is the height of the lowest point of a wall, or 0
+ * without walls. */
+double
+lowestFloor (const std::vector<PlanPlane>& planes)
+{
+  const double min_points = minPointsOfFloor (planes);
   std::optional<double> lowest;
   for (const PlanPlane& plane : planes)
-    if (plane.kind == PlaneKind::Floor && !plane.points.empty() &&
+    if (plane.kind == PlaneKind::Floor &&
         static_cast<double> (plane.points.size()) >= min_points)
       lowest = std::min (lowest.value_or (plane.height), plane.height);
   return lowest ? *lowest : lowestWallPoint (planes);
@@ -146,6 +156,21 @@ floorBelow (const std::vector<PlanPlane>& planes, double height_of_cut, double l
       floor = std::max (floor, plane.height);
   // Parts of one floor differ in height by less than a step.
   return floor - lowest < constants.max_step ? lowest : floor;
+}
+
+/** \brief Returns the height of the lowest floor of the stories above [m], with \ref
+ * minPointsOfFloor; infinite if there is none.
+ * \param[in] floor height of the floor below the cut [m] */
+double
+floorAbove (const std::vector<PlanPlane>& planes, double floor)
+{
+  const double min_points = minPointsOfFloor (planes);
+  double above = std::numeric_limits<double>::infinity();
+  for (const PlanPlane& plane : planes)
+    if (plane.kind == PlaneKind::Floor && plane.height >= floor + constants.headroom &&
+        static_cast<double> (plane.points.size()) >= min_points)
+      above = std::min (above, plane.height);
+  return above;
 }
 
 void
@@ -218,12 +243,57 @@ roofsCoverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
   return covered_points > constants.min_walls_under_roofs * wall_points;
 }
 
+/** \brief Returns the squares of a grid, with edges of edge_of_height_square, that have
+ * points. */
+std::set<GridSquare>
+squaresWithPoints (const PlanPoints& points)
+{
+  std::set<GridSquare> squares;
+  for (const Vector3d& point : points)
+    squares.insert (squareAt (point.head<2>(), constants.edge_of_height_square));
+  return squares;
+}
+
+/** \brief Returns the points of the ceilings over the rooms at a cut. A ceiling of
+ * which most has a floor of a story above below it is the ceiling of that story; that
+ * of a hall, at the same height, has none.
+ * \param[in] floor_above height of the \ref floorAbove [m] */
+PlanPoints
+ceilingsAt (const std::vector<PlanPlane>& planes,
+            double height_of_cut,
+            double floor_above)
+{
+  const auto floors_above =
+      squaresWithPoints (pointsOf (planes, [&] (const PlanPlane& plane) {
+        return plane.kind == PlaneKind::Floor && plane.height >= floor_above;
+      }));
+  const auto is_of_story_above = [&] (const PlanPlane& ceiling) {
+    if (ceiling.height <= floor_above)
+      return false;
+    const std::set<GridSquare> squares = squaresWithPoints (ceiling.points);
+    const auto over_floors =
+        std::count_if (squares.begin(), squares.end(), [&] (const GridSquare& square) {
+          return floors_above.count (square) > 0;
+        });
+    return 2 * static_cast<std::size_t> (over_floors) > squares.size();
+  };
+  return pointsOf (planes, [&] (const PlanPlane& plane) {
+    return plane.kind == PlaneKind::Ceiling && plane.height > height_of_cut &&
+           plane.height < height_of_cut + constants.max_ceiling_over_cut &&
+           !is_of_story_above (plane);
+  });
+}
+
 /** \brief Returns the points that cover the rooms at a cut. If there is no ceiling and
  * a building stands under roofs, they are those of the roofs, because floors are then
  * the ground around it; otherwise those of floors, ceilings, tables, slabs and ramps.
- * \param[in] floor height of the floor below the cut [m] */
+ * \param[in] floor height of the floor below the cut [m]
+ * \param[in] floor_above height of the \ref floorAbove [m] */
 Cover
-coverAt (const std::vector<PlanPlane>& planes, double floor, double height_of_cut)
+coverAt (const std::vector<PlanPlane>& planes,
+         double floor,
+         double height_of_cut,
+         double floor_above)
 {
   const auto is_at_or_below_cut = [&] (const PlanPlane& plane) {
     return plane.height <= height_of_cut &&
@@ -233,10 +303,7 @@ coverAt (const std::vector<PlanPlane>& planes, double floor, double height_of_cu
   cover.floor = pointsOf (planes, [&] (const PlanPlane& plane) {
     return plane.kind == PlaneKind::Floor && is_at_or_below_cut (plane);
   });
-  cover.ceiling = pointsOf (planes, [&] (const PlanPlane& plane) {
-    return plane.kind == PlaneKind::Ceiling && plane.height > height_of_cut &&
-           plane.height < height_of_cut + constants.max_ceiling_over_cut;
-  });
+  cover.ceiling = ceilingsAt (planes, height_of_cut, floor_above);
   PlanPoints roofs = pointsOf (planes, [&] (const PlanPlane& plane) {
     return plane.kind == PlaneKind::Roof && plane.height > height_of_cut;
   });
@@ -274,6 +341,21 @@ turnToRooms (const RoomSides& rooms, std::vector<PlanPlane>& planes)
     if (plane.kind == PlaneKind::Wall &&
         rooms.areBehind (plane.normal.head<2>().normalized(), plane.points))
       plane.normal = -plane.normal;
+}
+
+/** \brief Leaves out the points of walls below one height or from another one on [m]:
+ * those of other stories, whose walls may reach farther than those at the cut. */
+void
+leaveOutOtherStories (double low, double high, std::vector<PlanPlane>& planes)
+{
+  const auto is_outside = [low, high] (const Vector3d& point) {
+    return point.z() < low || point.z() >= high;
+  };
+  for (PlanPlane& plane : planes)
+    if (plane.kind == PlaneKind::Wall)
+      plane.points.erase (
+          std::remove_if (plane.points.begin(), plane.points.end(), is_outside),
+          plane.points.end());
 }
 
 /** \brief Sets WallFace::ends_rooms: true for a wall that is seen above the furniture
@@ -468,10 +550,15 @@ findFloorPlan (const CloudView& cloud,
   const double lowest = lowestFloor (plan_planes);
   plan.height = lowest + parameters.cut_height;
   plan.floor = floorBelow (plan_planes, plan.height, lowest);
-  const Cover cover = coverAt (plan_planes, plan.floor, plan.height);
+  const double floor_above = floorAbove (plan_planes, plan.floor);
+  const Cover cover = coverAt (plan_planes, plan.floor, plan.height, floor_above);
   excludeFurniture (cover, plan_planes);
   const RoomSides rooms ({&cover.floor, &cover.ceiling});
   turnToRooms (rooms, plan_planes);
+  // Walls of the lowest story may begin below its floor, as in a pit.
+  const double low = plan.floor > lowest ? plan.floor - constants.same_level
+                                         : -std::numeric_limits<double>::infinity();
+  leaveOutOtherStories (low, floor_above, plan_planes);
   std::vector<WallFace> walls = facesOf (plan_planes, plan.height, isWall);
   findFacesThatEndRooms (rooms, plan_planes, plan.height, walls);
   const std::vector<WallFace> faces =

@@ -720,6 +720,76 @@ TEST (FloorPlan, CutInAnUpperStoryHasTheHeightOfItsFloor)
   EXPECT_NEAR (house.plan (upstairs).floor, 2.8_m, 1_mm);
 }
 
+/** \brief A story 2.5 m high from (0, 0) to (width, 3 m): floor, ceiling and the four
+ * walls around them. */
+void
+addStory (Building& house, double floor, double width)
+{
+  Building story;
+  story.level (PlaneKind::Floor, 0.0, {0, 0}, {width, 3});
+  story.level (PlaneKind::Ceiling, 2.5, {0, 0}, {width, 3});
+  story.wall ({0, 0}, {width, 0}).wall ({width, 0}, {width, 3});
+  story.wall ({width, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  for (std::size_t i = 0; i < story.planes.size(); ++i) {
+    std::vector<Vector3d> points;
+    for (const pcl::index_t index : story.planes[i].inliers) {
+      const pcl::PointXYZ& point = story.cloud[index];
+      points.emplace_back (point.x, point.y, floor + point.z);
+    }
+    house.add (story.kinds[i], story.planes[i].normal, points);
+  }
+}
+
+TEST (FloorPlan, OfAStoryHasItsOwnWallsAndCeilingWhereAnotherStoryIsLarger)
+{
+  // The cut, over the lowest floor, is in the story that is 4 m long.
+  const auto expectStoryOf4Meters = [] (const Building& house, double cut_height) {
+    FloorPlanParameters parameters;
+    parameters.cut_height = cut_height;
+    const FloorPlan plan = house.plan (parameters);
+    EXPECT_EQ (plan.walls.size(), 4u) << cut_height;
+    EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_cm) << cut_height;
+    ASSERT_EQ (plan.rooms.size(), 1u) << cut_height;
+    EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01) << cut_height;
+    EXPECT_NEAR (plan.rooms[0].ceiling.value() - plan.floor, 2.5_m, 1_cm) << cut_height;
+  };
+  Building larger_above;
+  addStory (larger_above, 0.0, 4_m);
+  addStory (larger_above, 2.8, 8_m);
+  expectStoryOf4Meters (larger_above, 1.2);
+  Building larger_below;
+  addStory (larger_below, 0.0, 8_m);
+  addStory (larger_below, 2.8, 4_m);
+  expectStoryOf4Meters (larger_below, 4.0);
+}
+
+TEST (FloorPlan, HasAWallOverWhichOnlyTheCeilingOfTheStoryAboveGoesOn)
+{
+  Building house;
+  addStory (house, 0.0, 8_m);
+  addStory (house, 2.8, 8_m);
+  house.wall ({4, 0}, {4, 3}).wall ({4.1, 3}, {4.1, 0});
+  const FloorPlan plan = house.plan();
+  EXPECT_EQ (plan.walls.size(), 6u);
+  EXPECT_EQ (plan.rooms.size(), 2u);
+}
+
+TEST (FloorPlan, HasTheCeilingOfAHallBesideTwoStories)
+{
+  // The hall, from x = 0 to 4 m, is as high as the two stories right of it.
+  Building house;
+  house.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  house.level (PlaneKind::Ceiling, 5.3, {0, 0}, {4, 3});
+  house.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+  house.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  house.level (PlaneKind::Floor, 0.0, {4.1, 0}, {8.1, 3});
+  house.level (PlaneKind::Ceiling, 2.5, {4.1, 0}, {8.1, 3});
+  house.level (PlaneKind::Floor, 2.8, {4.1, 0}, {8.1, 3});
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].ceiling.value(), 5.3, 1_mm);
+}
+
 TEST (FloorPlan, HasARoomOverATableASlabOrARampInsteadOfAFloor)
 {
   const auto roomsOver = [] (PlaneKind kind) {
