@@ -329,7 +329,8 @@ TEST (PlaneKinds, OfAMapDoNotDependOnASensorFarAwayFromIt)
 TEST (PlaneKinds, OfPlanesFarBelowASensorDoNotDependOnTheirOrder)
 {
   // A level above a floor, and two more floors in a row, 100 m and 200 m away. The
-  // sensor is about 500 times as far away as the planes reach.
+  // sensor is 75 km above: more than 500 times as far as the planes reach from their
+  // middle, but less than 500 times as far as they reach from the first one.
   Rectangles map;
   map.sensor = {100, 0, 75e3};
   map.level (0.0, 8_m, 8_m).level (3.0, 8_m, 8_m);
