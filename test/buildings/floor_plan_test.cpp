@@ -221,6 +221,8 @@ TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
 
 TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBackByLessThanTheDepthOfWhatHides)
 {
+  // Points up to 5 cm behind a gap hide it (max_depth_of_hiding). This leaf is 3 cm
+  // behind: as a leaf it does not.
   Building closed = roomOf4By3();
   const std::vector<Vector3d> leaf = uprightAlongX (-0.03, {1.025, 0.025}, {1.9, 2.05});
   closed.add (PlaneKind::Other, Vector3d::UnitY(), leaf);
@@ -573,7 +575,8 @@ TEST (FloorPlan, OfAHouseWithEavesOnItsGroundHasTheRoomUnderTheRoof)
 
 TEST (FloorPlan, HasARoomUpToAWallThoughTheFloorBeforeItWasNotSeen)
 {
-  // The last 0.3 m of the floor lie in the shadow of a bench, whose front was seen.
+  // The last 0.3 m of the floor lie behind high furniture. Of its front 0.7 m was seen,
+  // and was named a wall.
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 2.7});
   room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
@@ -586,8 +589,8 @@ TEST (FloorPlan, HasARoomUpToAWallThoughTheFloorBeforeItWasNotSeen)
 
 TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWallThatWasSeenInPart)
 {
-  // Of a wall 3 m long and 0.3 m thick, 2 m of one side and this length of the other
-  // side were seen. All of the area between the sides is left out of the rooms.
+  // Of a wall 3 m long and 0.3 m thick, 2 m of one side and seen_length [m] of the
+  // other side were seen. All of the area between the sides is left out of the rooms.
   for (const double seen_length : {2.0, 1.4}) {
     Building room;
     room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
@@ -616,7 +619,8 @@ TEST (FloorPlan, HasARoomUpToTheEndsOfItsWallsWhereTheLastOneWasNotSeen)
 
 TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutIfTheFloorEndsAtIt)
 {
-  // Of the wall at x = 4 m only the part above 1.9 m was seen.
+  // Furniture 0.5 m deep hides the wall at x = 4 m up to 1.9 m, and the floor under
+  // itself.
   const Opening hidden_by_furniture = {0.0, 3.0, 0.0, 1.9};
   const auto planWithFloorUpTo = [&] (double floor_end) {
     Building room;
