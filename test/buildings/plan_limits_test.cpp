@@ -11,7 +11,7 @@ namespace {
 
 /** \brief Height of the cut [m]: the default of FloorPlanParameters::cut_height, over a
  * floor at height 0. */
-constexpr double height_of_cut = 1.2;
+constexpr double cut_height = 1.2;
 
 /** \brief A limit of a quantity, and how many walls, openings or rooms a plan has for
  * values below it and above it. */
@@ -157,7 +157,7 @@ TEST (PlanLimits, OfWhatHidesADoor)
   // An upright piece before the door whose lowest points are this far above the cut.
   const auto openingsBelowAPiece = [] (double over_cut) {
     Building room = roomOf4By3();
-    const Vector3d corner (0.9, 0.4, height_of_cut + over_cut - half_spacing);
+    const Vector3d corner (0.9, 0.4, cut_height + over_cut - half_spacing);
     addPiece (room, Vector3d::UnitY(), corner, {1.1, 0, 0}, {0, 0, 0.5});
     return numberOfOpenings (room.plan());
   };
@@ -165,7 +165,7 @@ TEST (PlanLimits, OfWhatHidesADoor)
   // wall.
   const auto openingsBeforeAPiece = [] (double depth) {
     Building room = roomOf4By3();
-    const Vector3d corner (0.9, -depth - half_spacing, height_of_cut);
+    const Vector3d corner (0.9, -depth - half_spacing, cut_height);
     addPiece (room, Vector3d::UnitZ(), corner, {1.1, 0, 0}, {0, 0.04, 0});
     return numberOfOpenings (room.plan());
   };
@@ -201,7 +201,7 @@ TEST (PlanLimits, OfWhatCoversARoom)
   // over the lowest points of the walls.
   const auto roomsUnderCeiling = [] (double over_cut) {
     Building room = fourWalls();
-    const double height = half_spacing + height_of_cut + over_cut;
+    const double height = half_spacing + cut_height + over_cut;
     room.level (PlaneKind::Ceiling, height, {0, 0}, {4, 3});
     return room.plan().rooms.size();
   };
