@@ -103,8 +103,8 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("floor-plan FILE", outputs.floor_plan)
       .help ("write a floor plan: .dxf, .svg, .geojson, .gpkg (also --plan)")
       .onceCalled ("plan");
-  const Range heights =
-      from (-1000).upTo (1000); // chosen by hand, against typing errors
+  // Chosen by hand, against typing errors.
+  const Range heights = from (-1000).upTo (1000);
   line.add ("plan-height M", options.plan_parameters.cut_height, heights)
       .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
   line.add ("rest FILE", outputs.rest)

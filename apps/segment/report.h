@@ -50,12 +50,12 @@ struct Report {
 };
 
 /** \brief Prints the table of planes, how the up axis was found, regularized planes,
- * dropped planes, advice, hints, and times [ms]. */
+ * dropped planes, advice, hints, the lengths that were used, and times [ms]. */
 void
 printTable (const Report& report, std::ostream& stream);
 
-/** \brief Returns the result in a few words: points, planes, advice. It has no times,
- * so that the same run gives the same words. */
+/** \brief Returns the result in a few words: points, planes, dropped planes, advice,
+ * hints. It has no times, so that the same run gives the same words. */
 std::string
 summaryOf (const Report& report);
 

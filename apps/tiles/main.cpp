@@ -75,8 +75,8 @@ declareOutput (CommandLine& line, PlanesOutput& output)
       .help ("a page that shows the same planes, and points, in a browser");
   line.add ("floor-plan FILE", output.floor_plan)
       .help ("write walls, openings, rooms: .dxf, .svg, .geojson, .gpkg");
-  const Range heights =
-      from (-1000).upTo (1000); // chosen by hand, against typing errors
+  // Chosen by hand, against typing errors.
+  const Range heights = from (-1000).upTo (1000);
   line.add ("plan-height M", output.of_floor_plan.cut_height, heights)
       .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
 }

@@ -234,9 +234,9 @@ writeFiles (const SimulationOptions& options,
          std::to_string (files) + " files\n";
 }
 
-/** Removes a file of an earlier town if there is one; a folder stays. */
+/** Removes a file of an earlier run if there is one; a folder stays. */
 void
-removeTile (const fs::path& file)
+removeStale (const fs::path& file)
 {
   std::error_code error;
   if (fs::is_regular_file (file, error) && !fs::remove (file, error))
@@ -260,7 +260,7 @@ removeTilesBeyond (std::uint32_t tiles, const std::string& folder)
       beyond.push_back (entry.path());
   }
   for (const fs::path& file : beyond)
-    removeTile (file);
+    removeStale (file);
 }
 
 /** Writes a .las file for each tile that has points.
@@ -288,7 +288,7 @@ writeTown (const SimulationOptions& options)
         record.raw[axis] = std::int32_t (std::lround (local[axis]));
     }
     if (points.empty())
-      removeTile (file);
+      removeStale (file);
     else
       saveLas (file, points, millimeter, town.corner);
     return points.size();
@@ -321,8 +321,8 @@ writeFrames (const SimulationOptions& options)
       writeFiles (options, options.frames, "frames", advice, nameOf, save);
   // Removes frames of an earlier, longer walk: they would be taken for frames of this
   // one.
-  for (std::size_t i = options.frames; fs::remove (options.inFolder (nameOf (i)));)
-    ++i;
+  for (std::size_t i = options.frames; fs::exists (options.inFolder (nameOf (i))); ++i)
+    removeStale (options.inFolder (nameOf (i)));
   savePoses (options.inFolder ("poses.txt"),
              measuredPoses (view.poses, options.pose_errors, simulation.seed));
   return summary;

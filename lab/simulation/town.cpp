@@ -163,8 +163,8 @@ struct TileSurvey {
       Vector3d point = positionOn (patch, u, v);
       for (double& coordinate : point)
         coordinate += sigma * random.gaussian();
-      const auto in_tile = point.head<2>().array();
-      if ((in_tile >= tile.min().array()).all() && (in_tile < tile.max().array()).all())
+      const auto x_y = point.head<2>().array();
+      if ((x_y >= tile.min().array()).all() && (x_y < tile.max().array()).all())
         points.push_back ({town.corner + point, label});
     }
   }

@@ -173,7 +173,9 @@ void
 callOnWorkers (std::size_t calls, const std::function<void()>& task)
 {
   Workers& workers = workersOfThisProcess();
-  std::size_t posted = 0; // at most one call per worker: others might never run
+  // At most one call per worker: if the system started no worker at all, posted calls
+  // would stay in the queue for ever.
+  std::size_t posted = 0;
   {
     const std::lock_guard<std::mutex> lock (workers.mutex);
     try {

@@ -13,10 +13,11 @@ namespace pcl_ops::internal {
 std::size_t
 availableProcessors ();
 
-/** \brief Posts \p calls calls of a task to the worker threads and returns at once. A
- * call runs when a worker has time: perhaps late, perhaps never. So the task, which is
- * copied, has to own all that it uses. There are as many workers as the largest \p
- * calls so far, or as many as the system allows; idle workers sleep.
+/** \brief Posts \p calls calls of a task to the worker threads, or one for each worker
+ * if these are fewer, and returns at once. A call runs when a worker has time: perhaps
+ * late, perhaps never. So the task, which is copied, has to own all that it uses. There
+ * are as many workers as the largest \p calls so far, or as many as the system allows;
+ * idle workers sleep.
  * \param[in] task must not throw */
 void
 callOnWorkers (std::size_t calls, const std::function<void()>& task);

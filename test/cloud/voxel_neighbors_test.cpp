@@ -19,8 +19,8 @@ isNeighbor (const VoxelKey& a, const VoxelKey& b)
 
 TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 {
-  // Hardly any of the small voxels has an occupied neighbor; nearly all of the large
-  // ones have several.
+  // Some of the small voxels touch another occupied voxel; nearly all of the large ones
+  // touch several.
   for (const double edge : {0.2, 0.5, 1.5}) {
     const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, one_thread);
     const VoxelNeighbors neighbors = connected (grid.codes, one_thread).neighbors;
@@ -39,8 +39,9 @@ TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 
 TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
 {
-  // Two voxels that touch at the middle of the largest possible grid, 2^20 voxels wide.
-  // There the larger voxels of twice the edge, four times the edge and so on end.
+  // Two voxels that touch at the middle of the range of Morton codes, 20 bits per axis:
+  // a key plus key_offset is 2^19 there, and larger voxels of every level have a
+  // border.
   const std::int32_t middle = (1 << 19) - key_offset;
   const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
                                       mortonCode (middle, middle, middle)};

@@ -257,6 +257,8 @@ def wrong_writes(points, labels, survey):
          "cloud: the field 'a b' has a name that files cannot have"),
         ("b.pcd", survey._replace(fields={"a\0b": np.ones(29500)}), {}, ValueError,
          "cloud: the field 'a\\x00b' has a name that files cannot have"),
+        ("b.pcd", survey._replace(fields={"a\ud800": np.ones(29500)}), {}, ValueError,
+         "cloud: the field 'a\\ud800' has a name that files cannot have"),
         ("b.pcd", survey._replace(fields={"a": np.ones((29500, 0))}), {}, ValueError,
          "cloud: the field a has no number for a point; leave it out"),
         ("b.pcd", survey._replace(fields={"a": [1.0] * 29500}), {}, TypeError,

@@ -120,7 +120,7 @@ TEST_F (SunRgbdTest, AFolderThatCannotBeReadIsAnErrorNotTheEndOfTheFrames)
   EXPECT_TRUE (contains (complaint, "has a folder that cannot be read")) << complaint;
 }
 
-TEST (SunRgbd, RealFramesStandUpright)
+TEST (SunRgbd, ARealFrameStandsUpright)
 {
   const fs::path folder = fs::path (PCL_OPS_DATA_DIR) / "SUNRGBD";
   if (!fs::exists (folder))

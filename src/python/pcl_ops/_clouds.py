@@ -18,8 +18,8 @@ from ._planes import ResultWarning
 # integers, are PCL's alone.
 _TYPE_NAMES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8",
                10: "u8"}
-# Control characters.
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]")
+# Control characters, and surrogates, which UTF-8 does not have.
+_NOT_IN_NAMES = re.compile(r"[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 _DATATYPES = {name: datatype for datatype, name in _TYPE_NAMES.items()}
 
 
@@ -156,7 +156,7 @@ def _checked_cloud(given: Any) -> Cloud:
     if count % cloud.height:
         raise ValueError(f"cloud: {count} points are no image of {cloud.height} rows")
     for name, field in cloud.fields.items():
-        if not isinstance(name, str) or name.split() != [name] or _CONTROL.search(name):
+        if not isinstance(name, str) or name.split() != [name] or _NOT_IN_NAMES.search(name):
             raise ValueError(f"cloud: the field {name!r} has a name that files cannot have")
         if not isinstance(field, np.ndarray):
             raise TypeError(f"cloud: the field {name} is a {type(field).__name__}; give an array of NumPy")

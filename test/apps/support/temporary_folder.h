@@ -15,7 +15,8 @@
 /** \brief An empty folder for one test, removed after it. */
 class TemporaryFolder {
 public:
-  /** \param[in] suffix tells the folders of one test apart */
+  /** \brief Its path has no links: programs name outputs without them.
+   * \param[in] suffix tells the folders of one test apart */
   explicit TemporaryFolder (const std::string& suffix = "")
   : path_ (std::filesystem::canonical (testing::TempDir()) /
            ("pcl_ops_" + std::to_string (::getpid()) + "_" + testName() + suffix))
