@@ -26,7 +26,7 @@ counted (std::size_t number, const std::string& noun)
   return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
 }
 
-/** \brief Returns the text with a blank in place of each line break. File names may
+/** \brief Returns the text with a blank in place of each \n and each \r. File names may
  * have line breaks. */
 inline std::string
 oneLine (std::string text)

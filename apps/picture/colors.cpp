@@ -135,7 +135,8 @@ saveLabeledCloud (const std::string& file,
     static_assert (sizeof (colors[0]) == sizeof (float), "PCL's packed color");
     std::transform (
         part_labels, part_labels + colors.size(), colors.begin(), colorOfLabel);
-    // In front of `rgba`, as PCL's point types look for `rgb` first.
+    // In front of `rgba`: a point type of PCL takes the first field named `rgb` or
+    // `rgba`.
     setField (part, "rgb", PCLPointField::FLOAT32, colors.data(), "rgba");
   });
 }

@@ -39,11 +39,11 @@ struct PlaneFilter {
   /** \brief Smallest number of points of a plane: its inliers, or the count of its
    * moments if it has no inliers. */
   std::size_t min_points = 0;
-  /** \brief Smallest area inside the outline [m^2]. */
+  /** \brief Smallest area, PlaneExtent::area [m^2]: without holes. */
   double min_area = 0.0;
   /** \brief Smallest width of the rectangle around the outline [m]. */
   double min_width = 0.0;
-  /** \brief Largest area inside the outline [m^2]. Not given: any. */
+  /** \brief Largest area, without holes, too [m^2]. Not given: any. */
   std::optional<double> max_area;
   /** \brief Largest width of the rectangle around the outline [m]. Not given: any. */
   std::optional<double> max_width;

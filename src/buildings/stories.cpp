@@ -26,9 +26,10 @@ largeLevels (const std::vector<Level>& levels)
   return large;
 }
 
-/** \brief Adds a level that was not seen from below: as the ceiling of the last story
- * or as the floor of a new one. A highest level too small for a ceiling is ignored if
- * the last story has no ceiling.
+/** \brief Adds a level whose normal does not point down: as the ceiling of the last
+ * story or as the floor of a new one. It may be a ceiling, too: if the sensor is
+ * unknown, all normals point up, and a roof seen from outside ends the last story. A
+ * highest level too small for a ceiling is ignored if the last story has no ceiling.
  * \param[in] next the next large level above; nullptr for the highest level */
 void
 addUpperLevel (const Level& level, const Level* next, std::vector<Story>& stories)
@@ -99,7 +100,7 @@ storiesOf (const std::vector<Level>& levels, double lowest)
       story = {level.height, {}, level.area};
     else if (rise < constants.headroom)
       continue;
-    else if (level.faces_down)
+    else if (level.faces_down) // a higher ceiling replaces a lower one
       story.ceiling = level.height;
     else
       addUpperLevel (level, i + 1 < large.size() ? &large[i + 1] : nullptr, stories);

@@ -11,7 +11,8 @@ namespace pcl_ops::internal::buildings {
  * was seen from. */
 struct LevelPlane {
   double height, area;
-  /** \brief Whether it was seen from below. */
+  /** \brief Whether its normal points down, as it was seen from below. False, too, if
+   * the sensor is unknown. */
   bool faces_down;
   /** \brief Whether it lies below the sensor, which saw it from above. */
   bool is_below_sensor = false;

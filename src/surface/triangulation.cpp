@@ -83,6 +83,9 @@ visibleFrom (const Eigen::Vector2d& from,
       corners[ring[hit.side]].x() > corners[ring[next]].x() ? hit.side : next;
   const Eigen::Vector2d& end = corners[ring[visible]];
   double smallest_slope = std::numeric_limits<double>::infinity();
+  // The ring repeats the ends of bridges. Of the positions of one corner only the one
+  // whose sides enclose the segment to the point may get the bridge: end is looked for
+  // again, too.
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d& corner = corners[ring[i]];
     const Eigen::Vector2d offset = corner - from;

@@ -37,10 +37,11 @@ openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels);
 Indices
 sparsePoints (const std::vector<OpenPoint>& open, std::size_t cloud_size);
 
-/** \brief Rejects planes of sparse points that are a mist, points without a surface:
- * voxels as large as sparse points need find planes in it. The rms distance of its
- * points to the plane is above \ref other_noise_ratio (6) times that of the points of
- * dense planes, and above a quarter of the spacing of its points.
+/** \brief Rejects planes of sparse points that are only a mist: points without a
+ * surface, in which a search finds planes because sparse points need large voxels. A
+ * plane is a mist if the rms distance of its points is above \ref other_noise_ratio (6)
+ * times that of the points of dense planes, and above a quarter of the spacing of its
+ * points.
  * \param[in] dense moments of the other planes; no plane is rejected if there are none
  * \param[in,out] sparse a rejected plane gets empty moments, its points get no_plane */
 void

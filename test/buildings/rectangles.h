@@ -38,7 +38,7 @@ struct Rectangles {
     extent.center = surface.center();
     const bool is_first_longer = first.norm() >= second.norm();
     extent.long_axis = (is_first_longer ? first : second).normalized();
-    extent.short_axis = (is_first_longer ? second : first).normalized();
+    extent.short_axis = plane.normal.cross (extent.long_axis);
     extent.length = std::max (first.norm(), second.norm());
     extent.width = std::min (first.norm(), second.norm());
     extent.area = surface.area();

@@ -59,7 +59,7 @@ CLAIMS = [
      r"(\S+) in an office of NavVis",
      [("ScanNet", REGION_GROWING, "F 0.5"), ("NavVis", REGION_GROWING, "F 0.5")])]
 # A figure of accuracy or time: a decimal fraction, a percentage, a time.
-FIGURE = re.compile(r"(?<![\w.])(?:\d*\.\d+|\d[\d,]*(?= ?(?:%|ms|s|seconds|minutes)\b| %))")
+FIGURE = re.compile(r"(?<![\w.])(?:\d*\.\d+|\d[\d,]*(?= ?(?:%|(?:ms|s|seconds|minutes)\b)))")
 # Rows of the table of scenes with faults: data set, number of clouds, F at both overlaps or a dash.
 FAULTS = re.compile(r"^\| `([a-z-]+):1-(\d+)` \| (-|[\d.]+/[\d.]+) \|", re.MULTILINE)
 # Rows of the table of stability, and the columns of accuracy.csv.
@@ -94,14 +94,16 @@ def measures_of(cell):
 
 
 def expected_cell(rows, measures):
-    """The best values of the rows of a method; a dash if it has none."""
+    """The best value of each measure over the settings of a method; a dash if it has none."""
     rows = [row for row in rows if row["f_score"]]
+    if not rows:
+        return "-"
     texts = []
     for name, factor, decimals in (MEASURES[measure] for measure in measures):
         values = [factor * float(row[name]) for row in rows]
-        texts += [f"{min(values):.2g}" if decimals is None else f"{max(values):.{decimals}f}"
-                  for _ in values[:1]]
-    return "/".join(texts) or "-"
+        # Only times have no number of decimals: the shortest is the best.
+        texts.append(f"{min(values):.2g}" if decimals is None else f"{max(values):.{decimals}f}")
+    return "/".join(texts)
 
 
 def expected_row(header, label, table):
@@ -270,6 +272,7 @@ class Pages(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             here = pathlib.Path(folder)
             (here / "lab").symlink_to((SOURCES / "lab").resolve())
+            # The commands of the page call python3: let it be this one, which has NumPy.
             (here / "python3").symlink_to(sys.executable)
             (here / "detector.py").write_text("\n".join(code_in(section, "python")))
             commands = code_in(section, "sh")
@@ -303,7 +306,7 @@ class Pages(unittest.TestCase):
         lines = code_of(README, "cpp")
         self.assertGreaterEqual(len(lines), 4)
         for line in lines:
-            # The example asks whether the call succeeded, the README says what it gives.
+            # README has comments behind some statements, which the example does not have.
             self.assertIn(line.partition(";")[0], example)
 
     def test_comparisons_have_the_numbers_of_the_csv(self):

@@ -16,7 +16,7 @@ using Triangle = std::array<std::size_t, 3>;
 /** \brief Triangulates an outline between its corners, because most programs show only
  * meshes of triangles. The outline may have holes and need not be convex.
  *
- * A bridge from each hole to the nearest visible corner joins all rings to one ring.
+ * A bridge from each hole to a visible corner joins all rings to one ring.
  * Then the ears of this ring are clipped one after the other (Meisters, *Polygons have
  * ears*, American Mathematical Monthly 82, 1975; Eberly, *Triangulation by ear
  * clipping*, Geometric Tools, 2002).

@@ -33,7 +33,7 @@ TEST (Counted, HasAnSUnlessTheNumberIsOne)
   EXPECT_EQ (counted (2, "plane"), "2 planes");
 }
 
-TEST (OneLine, HasABlankForEachLineBreak)
+TEST (OneLine, HasABlankForEachCharacterOfALineBreak)
 {
   EXPECT_EQ (oneLine ("a\nb\r\nc"), "a b  c");
 }

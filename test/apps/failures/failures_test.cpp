@@ -288,6 +288,7 @@ TEST_F (Failing, AnOutputAboveTheSizeLimitOfFilesIsReported)
 TEST_F (Failing, StandardInputWithoutRoomForItsTemporaryFileIsNamed)
 {
   command_ = "pcl_ops_segment - OUT <in.pcd";
+  // In the folder of the test a temporary file that is left behind would be noticed.
   expectReportedWithoutHarm (runFailing ("FULL_AT_WRITE=1", "export TMPDIR=."),
                              "standard input");
 }

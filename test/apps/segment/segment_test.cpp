@@ -56,8 +56,8 @@ twoTables ()
   return cloud;
 }
 
-/** \brief A floor and two walls; up is x. The longest side is along y, and the sensor
- * is in front of it, at y = -1 m. */
+/** \brief A floor and two walls; up is x. The room is longest along y. The sensor is
+ * outside of it, at y = -1 m, where a wall is missing. */
 InputCloud
 roomLyingOnItsSide ()
 {

@@ -119,7 +119,7 @@ protected:
   }
 };
 
-/** \brief A plan whose tiles have a wrong number of voxels along an edge. */
+/** \brief A plan whose tiles have a wrong number of cells along an edge. */
 class WrongPlan : public ProgramFolder,
                   public testing::WithParamInterface<std::int64_t> {
 protected:
@@ -261,7 +261,7 @@ TEST_F (TownInTiles, EachLargePlaneIsTheSameWithinAPercentAndAMillimeter)
 
 // Along its edge, a tile must have a multiple of four cells, 12 or more, and not too
 // many.
-INSTANTIATE_TEST_SUITE_P (VoxelsAlongATile,
+INSTANTIATE_TEST_SUITE_P (CellsAlongATile,
                           WrongPlan,
                           testing::Values (0, -40, 13, 4'000'000'000));
 
@@ -306,7 +306,7 @@ TEST_F (ChosenPlanes, OfASlopeAndAnAreaAreRoofsWithFewCornersFacingUp)
   expectRunUnchanged();
 }
 
-TEST_F (ChosenPlanes, AreTheSameInACsvAsInAGeojson)
+TEST_F (ChosenPlanes, AreAsManyInACsvAsInAGeojson)
 {
   const std::string choice =
       "town --output-dir out --quiet --only other --min-area 20 ";
