@@ -74,6 +74,14 @@ continues (const WallFace& part, const WallFace& face)
   return true;
 }
 
+/** \brief Returns how far the middle of a face lies behind a wall [m]. */
+double
+distanceBehind (const WallFace& wall, const WallFace& face)
+{
+  const double middle = 0.5 * (face.seen.front().from + face.seen.back().to);
+  return -wall.line.distance (face.line.at (middle));
+}
+
 /** \brief Adds \p part, which continues \p face, to \p face. */
 void
 addPart (WallFace& face, const WallFace& part)
@@ -153,8 +161,7 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
   if (!facesSameWay (leaf, wall) || leaf.points.size() >= wall.points.size())
     return false;
   const Interval whole{leaf.seen.front().from, leaf.seen.back().to};
-  const double distance_behind_wall =
-      -wall.line.distance (leaf.line.at (0.5 * (whole.from + whole.to)));
+  const double distance_behind_wall = distanceBehind (wall, leaf);
   if (distance_behind_wall < constants.min_recess ||
       distance_behind_wall > constants.max_recess)
     return false;
@@ -273,6 +280,23 @@ isFrontBefore (const WallFace& front, const WallFace& wall)
   return isSeenAbove (wall, front);
 }
 
+/** \brief Adds faces that are set back to the faces they continue, unless these
+ * surround them: then they are leaves, faces of their own. */
+void
+joinSetBack (std::vector<WallFace> set_back, std::vector<WallFace>& joined)
+{
+  for (WallFace& face : set_back) {
+    const auto larger = std::find_if (
+        joined.begin(), joined.end(), [&face] (const WallFace& candidate) {
+          return continues (face, candidate) && !surrounds (candidate, face);
+        });
+    if (larger == joined.end())
+      joined.push_back (std::move (face));
+    else
+      addPart (*larger, face);
+  }
+}
+
 } // namespace
 
 WallFace
@@ -317,18 +341,24 @@ joinFaces (std::vector<WallFace> faces)
                                               : a.firstPlane() < b.firstPlane();
   });
   std::vector<WallFace> joined;
+  // Whether a wall surrounds a leaf shows when all parts of the wall are joined, such
+  // as a lintel, which is smaller than the leaf.
+  std::vector<WallFace> set_back;
   for (WallFace& face : faces) {
     if (face.seen.empty())
       continue;
     const auto larger = std::find_if (
         joined.begin(), joined.end(), [&face] (const WallFace& candidate) {
-          return continues (face, candidate) && !surrounds (candidate, face);
+          return continues (face, candidate);
         });
     if (larger == joined.end())
       joined.push_back (std::move (face));
+    else if (distanceBehind (*larger, face) >= constants.min_recess)
+      set_back.push_back (std::move (face));
     else
       addPart (*larger, face);
   }
+  joinSetBack (std::move (set_back), joined);
   std::sort (joined.begin(), joined.end(), [] (const WallFace& a, const WallFace& b) {
     return a.firstPlane() < b.firstPlane();
   });

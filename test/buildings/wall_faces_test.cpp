@@ -137,6 +137,23 @@ TEST (WallFaces, OnOneLineAreApartWhereOneIsALeafThatTheOtherSurrounds)
   EXPECT_EQ (facesJoined (no_lintel), 1u) << "a part of the wall that drift moved";
 }
 
+TEST (WallFaces, OnOneLineAreApartWhereOneIsALeafThoughTheLintelIsAFaceOfItsOwn)
+{
+  PlanPoints points, of_lintel, of_leaf;
+  addUpright (0.0, 0.0, 1_m, points);
+  addUpright (0.0, 2_m, 4_m, points);
+  for (double x = 1_m; x < 2.0; x += 1_cm)
+    for (double z = 2.05; z < 2.5; z += 5_cm)
+      of_lintel.emplace_back (x, 0.0, z);
+  addUpright (-3_cm, 1_m, 2_m, of_leaf);
+  ASSERT_LT (of_lintel.size(), of_leaf.size()) << "the leaf comes first";
+  const std::vector<WallFace> joined = joinFaces (
+      {faceAlongX (points, 0), faceAlongX (of_leaf, 1), faceAlongX (of_lintel, 2)});
+  ASSERT_EQ (joined.size(), 2u);
+  EXPECT_EQ (planesOf (joined[0]), (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ (planesOf (joined[1]), (std::vector<std::size_t>{1}));
+}
+
 TEST (WallFaces, OfNoPointsAreNone)
 {
   PlanPoints points;
