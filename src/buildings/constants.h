@@ -45,7 +45,7 @@ struct BuildingConstants {
    * sensor by more than this. */
   double min_drop_below_sensor = 0.1;
   /** \brief A viewpoint farther from the planes than so many times the size of the
-   * scene is no sensor, as in turnUnseenUp. */
+   * scene is no sensor. */
   double max_distance_by_size = 500.0;
   /** \brief Smallest area of the ground under a sensor that leans. */
   double min_area_of_leaning_ground = 4.0;
@@ -161,8 +161,8 @@ struct BuildingConstants {
   /** \brief Level planes at the cut or lower, but less than this below the floor, are
    * in the rooms at the cut. */
   double max_below_floor = 0.6;
-  /** \brief Ceilings less than this above the cut are over the rooms at the cut, unless
-   * most of them is over the floor of a story above. */
+  /** \brief Ceilings less than this above the cut are over the rooms at the cut, except
+   * where they are over the floor of a story above. */
   double max_ceiling_over_cut = 6.0;
   /** \brief How far the roofs of a building seen from outside reach beyond its walls.
    */
@@ -265,7 +265,8 @@ struct BuildingConstants {
   /** \brief Shorter parts of an outline without a wall are left out. */
   double min_unseen_part = 0.05;
   /** \brief Edge of the squares of a grid each of which counts once for the height of a
-   * floor or a ceiling, and for whether a ceiling is over a floor. */
+   * floor or a ceiling. What is in one of these squares, or next to it, is over the
+   * floors in it. */
   double edge_of_height_square = 0.5;
   /** \brief The rooms of an opening are searched up to max_to_room from the side of the
    * wall, in steps of step_to_room. */

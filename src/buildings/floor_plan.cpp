@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -144,15 +145,17 @@ lowestFloor (const std::vector<PlanPlane>& planes)
   return lowest ? *lowest : lowestWallPoint (planes);
 }
 
-/** \brief Returns the height of the highest floor below the cut [m]; \p lowest if that
- * floor is less than a step above it.
+/** \brief Returns the height of the highest floor below the cut [m], with \ref
+ * minPointsOfFloor; \p lowest if that floor is less than a step above it.
  * \param[in] lowest height of the \ref lowestFloor [m] */
 double
 floorBelow (const std::vector<PlanPlane>& planes, double height_of_cut, double lowest)
 {
+  const double min_points = minPointsOfFloor (planes);
   double floor = lowest;
   for (const PlanPlane& plane : planes)
-    if (plane.kind == PlaneKind::Floor && plane.height < height_of_cut)
+    if (plane.kind == PlaneKind::Floor && plane.height < height_of_cut &&
+        static_cast<double> (plane.points.size()) >= min_points)
       floor = std::max (floor, plane.height);
   // Parts of one floor differ in height by less than a step.
   return floor - lowest < constants.max_step ? lowest : floor;
@@ -243,57 +246,77 @@ roofsCoverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
   return covered_points > constants.min_walls_under_roofs * wall_points;
 }
 
-/** \brief Returns the squares of a grid, with edges of edge_of_height_square, that have
- * points. */
-std::set<GridSquare>
-squaresWithPoints (const PlanPoints& points)
-{
-  std::set<GridSquare> squares;
-  for (const Vector3d& point : points)
-    squares.insert (squareAt (point.head<2>(), constants.edge_of_height_square));
-  return squares;
-}
+/** \brief The floors of the stories above a cut. A story may cover only a part of the
+ * plan, beside a hall or a stairwell, so it is decided at each place apart what belongs
+ * to a story above. */
+class FloorsAbove {
+public:
+  /** \param[in] floor_above height of the \ref floorAbove [m] */
+  FloorsAbove (const std::vector<PlanPlane>& planes, double floor_above)
+  {
+    Heights heights;
+    for (const PlanPlane& plane : planes)
+      if (plane.kind == PlaneKind::Floor && plane.height >= floor_above)
+        for (const Vector3d& point : plane.points)
+          lower (heights, squareOf (point), plane.height);
+    for (const auto& [square, height] : heights)
+      for (const long dx : {-1, 0, 1})
+        for (const long dy : {-1, 0, 1})
+          lower (lowest_, {square.first + dx, square.second + dy}, height);
+  }
 
-/** \brief Returns the points of the ceilings over the rooms at a cut. A ceiling of
- * which most has a floor of a story above below it is the ceiling of that story; that
- * of a hall, at the same height, has none.
- * \param[in] floor_above height of the \ref floorAbove [m] */
-PlanPoints
-ceilingsAt (const std::vector<PlanPlane>& planes,
-            double height_of_cut,
-            double floor_above)
+  /** \brief Returns whether one of these floors is below a point: in its square or a
+   * neighboring one, as floors end before their walls and under furniture.
+   * \param[in] tolerance how far the point may be below that floor [m] */
+  bool
+  areBelow (const Vector3d& point, double tolerance) const
+  {
+    const auto lowest = lowest_.find (squareOf (point));
+    return lowest != lowest_.end() && point.z() >= lowest->second - tolerance;
+  }
+
+private:
+  using Heights = std::map<GridSquare, double>; // [m]
+
+  static GridSquare
+  squareOf (const Vector3d& point)
+  {
+    return squareAt (point.head<2>(), constants.edge_of_height_square);
+  }
+
+  /** \brief Makes the height of a square at most this one. */
+  static void
+  lower (Heights& heights, const GridSquare& square, double height)
+  {
+    double& lowest = heights.emplace (square, height).first->second;
+    lowest = std::min (lowest, height);
+  }
+
+  Heights lowest_; // of these floors in each square and in those next to it
+};
+
+/** \brief Leaves out the points that are above a floor of a story above.
+ * \param[in] tolerance how far they may be below that floor [m] */
+void
+leaveOutAbove (const FloorsAbove& floors_above, double tolerance, PlanPoints& points)
 {
-  const auto floors_above =
-      squaresWithPoints (pointsOf (planes, [&] (const PlanPlane& plane) {
-        return plane.kind == PlaneKind::Floor && plane.height >= floor_above;
-      }));
-  const auto is_of_story_above = [&] (const PlanPlane& ceiling) {
-    if (ceiling.height <= floor_above)
-      return false;
-    const std::set<GridSquare> squares = squaresWithPoints (ceiling.points);
-    const auto over_floors =
-        std::count_if (squares.begin(), squares.end(), [&] (const GridSquare& square) {
-          return floors_above.count (square) > 0;
-        });
-    return 2 * static_cast<std::size_t> (over_floors) > squares.size();
-  };
-  return pointsOf (planes, [&] (const PlanPlane& plane) {
-    return plane.kind == PlaneKind::Ceiling && plane.height > height_of_cut &&
-           plane.height < height_of_cut + constants.max_ceiling_over_cut &&
-           !is_of_story_above (plane);
-  });
+  points.erase (std::remove_if (points.begin(),
+                                points.end(),
+                                [&] (const Vector3d& point) {
+                                  return floors_above.areBelow (point, tolerance);
+                                }),
+                points.end());
 }
 
 /** \brief Returns the points that cover the rooms at a cut. If there is no ceiling and
  * a building stands under roofs, they are those of the roofs, because floors are then
  * the ground around it; otherwise those of floors, ceilings, tables, slabs and ramps.
- * \param[in] floor height of the floor below the cut [m]
- * \param[in] floor_above height of the \ref floorAbove [m] */
+ * \param[in] floor height of the floor below the cut [m] */
 Cover
 coverAt (const std::vector<PlanPlane>& planes,
          double floor,
          double height_of_cut,
-         double floor_above)
+         const FloorsAbove& floors_above)
 {
   const auto is_at_or_below_cut = [&] (const PlanPlane& plane) {
     return plane.height <= height_of_cut &&
@@ -303,7 +326,10 @@ coverAt (const std::vector<PlanPlane>& planes,
   cover.floor = pointsOf (planes, [&] (const PlanPlane& plane) {
     return plane.kind == PlaneKind::Floor && is_at_or_below_cut (plane);
   });
-  cover.ceiling = ceilingsAt (planes, height_of_cut, floor_above);
+  cover.ceiling = pointsOf (planes, [&] (const PlanPlane& plane) {
+    return plane.kind == PlaneKind::Ceiling && plane.height > height_of_cut &&
+           plane.height < height_of_cut + constants.max_ceiling_over_cut;
+  });
   PlanPoints roofs = pointsOf (planes, [&] (const PlanPlane& plane) {
     return plane.kind == PlaneKind::Roof && plane.height > height_of_cut;
   });
@@ -311,6 +337,8 @@ coverAt (const std::vector<PlanPlane>& planes,
     cover.points = std::move (roofs);
     return cover;
   }
+  // One plane may be the ceiling of a hall and of the story above beside it.
+  leaveOutAbove (floors_above, 0.0, cover.ceiling);
   const PlanPoints above_floor = pointsOf (planes, [&] (const PlanPlane& plane) {
     return coversFloor (plane.kind) && is_at_or_below_cut (plane);
   });
@@ -343,19 +371,42 @@ turnToRooms (const RoomSides& rooms, std::vector<PlanPlane>& planes)
       plane.normal = -plane.normal;
 }
 
-/** \brief Leaves out the points of walls below one height or from another one on [m]:
- * those of other stories, whose walls may reach farther than those at the cut. */
-void
-leaveOutOtherStories (double low, double high, std::vector<PlanPlane>& planes)
+/** \brief Returns whether a story lies below the floor: another floor is lower by
+ * headroom, or a ceiling lower than the floor. */
+bool
+hasStoryBelow (const std::vector<PlanPlane>& planes, double floor)
 {
-  const auto is_outside = [low, high] (const Vector3d& point) {
-    return point.z() < low || point.z() >= high;
-  };
+  return std::any_of (planes.begin(), planes.end(), [floor] (const PlanPlane& plane) {
+    if (plane.points.empty())
+      return false;
+    return (plane.kind == PlaneKind::Floor &&
+            plane.height <= floor - constants.headroom) ||
+           (plane.kind == PlaneKind::Ceiling &&
+            plane.height < floor - constants.same_level);
+  });
+}
+
+/** \brief Leaves out the points of walls of other stories, which may reach farther than
+ * the walls at the cut. Noise puts the foot of a wall below its floor by up to
+ * same_level.
+ * \param[in] floor height of the floor below the cut [m] */
+void
+leaveOutOtherStories (double floor,
+                      const FloorsAbove& floors_above,
+                      std::vector<PlanPlane>& planes)
+{
+  // Without a story below, walls may begin below the floor, as in a pit.
+  const double low = hasStoryBelow (planes, floor)
+                         ? floor - constants.same_level
+                         : -std::numeric_limits<double>::infinity();
+  const auto is_below = [low] (const Vector3d& point) { return point.z() < low; };
   for (PlanPlane& plane : planes)
-    if (plane.kind == PlaneKind::Wall)
-      plane.points.erase (
-          std::remove_if (plane.points.begin(), plane.points.end(), is_outside),
-          plane.points.end());
+    if (plane.kind == PlaneKind::Wall) {
+      PlanPoints& points = plane.points;
+      points.erase (std::remove_if (points.begin(), points.end(), is_below),
+                    points.end());
+      leaveOutAbove (floors_above, constants.same_level, points);
+    }
 }
 
 /** \brief Sets WallFace::ends_rooms: true for a wall that is seen above the furniture
@@ -550,15 +601,12 @@ findFloorPlan (const CloudView& cloud,
   const double lowest = lowestFloor (plan_planes);
   plan.height = lowest + parameters.cut_height;
   plan.floor = floorBelow (plan_planes, plan.height, lowest);
-  const double floor_above = floorAbove (plan_planes, plan.floor);
-  const Cover cover = coverAt (plan_planes, plan.floor, plan.height, floor_above);
+  const FloorsAbove floors_above (plan_planes, floorAbove (plan_planes, plan.floor));
+  const Cover cover = coverAt (plan_planes, plan.floor, plan.height, floors_above);
   excludeFurniture (cover, plan_planes);
   const RoomSides rooms ({&cover.floor, &cover.ceiling});
   turnToRooms (rooms, plan_planes);
-  // Walls of the lowest story may begin below its floor, as in a pit.
-  const double low = plan.floor > lowest ? plan.floor - constants.same_level
-                                         : -std::numeric_limits<double>::infinity();
-  leaveOutOtherStories (low, floor_above, plan_planes);
+  leaveOutOtherStories (plan.floor, floors_above, plan_planes);
   std::vector<WallFace> walls = facesOf (plan_planes, plan.height, isWall);
   findFacesThatEndRooms (rooms, plan_planes, plan.height, walls);
   const std::vector<WallFace> faces =

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "building.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace {
@@ -724,24 +726,83 @@ TEST (FloorPlan, CutInAnUpperStoryHasTheHeightOfItsFloor)
   EXPECT_NEAR (house.plan (upstairs).floor, 2.8_m, 1_mm);
 }
 
-/** \brief A story 2.5 m high from (0, 0) to (width, 3 m): floor, ceiling and the four
- * walls around them. */
+/** \brief Adds all planes of a part, raised by a height. */
+void
+addRaised (Building& house, const Building& part, double height)
+{
+  for (std::size_t i = 0; i < part.planes.size(); ++i) {
+    std::vector<Vector3d> points;
+    for (const pcl::index_t index : part.planes[i].inliers) {
+      const pcl::PointXYZ& point = part.cloud[index];
+      points.emplace_back (point.x, point.y, height + point.z);
+    }
+    house.add (part.kinds[i], part.planes[i].normal, points);
+  }
+}
+
+/** \brief Adds walls 2.5 m high around (from, 0) to (to, 3 m). */
+void
+addWalls (Building& house, double foot, double from, double to)
+{
+  Building walls;
+  walls.wall ({from, 0}, {to, 0}).wall ({to, 0}, {to, 3});
+  walls.wall ({to, 3}, {from, 3}).wall ({from, 3}, {from, 0});
+  addRaised (house, walls, foot);
+}
+
+/** \brief Adds walls 2.5 m high and their floor, from (from, 0) to (to, 3 m). */
+void
+addRoom (Building& house, double floor, double from, double to)
+{
+  house.level (PlaneKind::Floor, floor, {from, 0}, {to, 3});
+  addWalls (house, floor, from, to);
+}
+
+/** \brief Adds a story 2.5 m high from (0, 0) to (width, 3 m): floor, ceiling and the
+ * four walls around them. */
 void
 addStory (Building& house, double floor, double width)
 {
-  Building story;
-  story.level (PlaneKind::Floor, 0.0, {0, 0}, {width, 3});
-  story.level (PlaneKind::Ceiling, 2.5, {0, 0}, {width, 3});
-  story.wall ({0, 0}, {width, 0}).wall ({width, 0}, {width, 3});
-  story.wall ({width, 3}, {0, 3}).wall ({0, 3}, {0, 0});
-  for (std::size_t i = 0; i < story.planes.size(); ++i) {
-    std::vector<Vector3d> points;
-    for (const pcl::index_t index : story.planes[i].inliers) {
-      const pcl::PointXYZ& point = story.cloud[index];
-      points.emplace_back (point.x, point.y, floor + point.z);
-    }
-    house.add (story.kinds[i], story.planes[i].normal, points);
-  }
+  addRoom (house, floor, 0.0, width);
+  house.level (PlaneKind::Ceiling, floor + 2.5, {0, 0}, {width, 3});
+}
+
+/** \brief Adds one ceiling over two rooms, but not over the wall between them.
+ * \param[in] first,second smallest and largest x of each room [m]; y is 0 to 3 m */
+void
+addCeilingOverBoth (Building& house,
+                    double height,
+                    const Vector2d& first,
+                    const Vector2d& second)
+{
+  std::vector<Vector3d> points;
+  for (const Vector2d& room : {first, second})
+    for (double x = room.x() + half_spacing; x < room.y(); x += grid_spacing)
+      for (double y = half_spacing; y < 3.0; y += grid_spacing)
+        points.emplace_back (x, y, height);
+  house.add (PlaneKind::Ceiling, -Vector3d::UnitZ(), points);
+}
+
+/** \brief Returns the heights of the ceilings of all rooms, ascending; 0 for a room
+ * without one. */
+std::vector<double>
+ceilingsOf (const FloorPlan& plan)
+{
+  std::vector<double> heights;
+  for (const PlanRoom& room : plan.rooms)
+    heights.push_back (room.ceiling.value_or (0.0));
+  std::sort (heights.begin(), heights.end());
+  return heights;
+}
+
+/** \brief Expects two rooms with ceilings at these heights. */
+void
+expectCeilings (const FloorPlan& plan, double lower, double higher)
+{
+  const std::vector<double> ceilings = ceilingsOf (plan);
+  ASSERT_EQ (ceilings.size(), 2u);
+  EXPECT_NEAR (ceilings[0], lower, 1_mm);
+  EXPECT_NEAR (ceilings[1], higher, 1_mm);
 }
 
 TEST (FloorPlan, OfAStoryHasItsOwnWallsAndCeilingWhereAnotherStoryIsLarger)
@@ -761,6 +822,11 @@ TEST (FloorPlan, OfAStoryHasItsOwnWallsAndCeilingWhereAnotherStoryIsLarger)
   addStory (larger_above, 0.0, 4_m);
   addStory (larger_above, 2.8, 8_m);
   expectStoryOf4Meters (larger_above, 1.2);
+  Building noisy_above; // its walls begin 2 cm below their floor
+  addStory (noisy_above, 0.0, 4_m);
+  noisy_above.level (PlaneKind::Floor, 2.8, {0, 0}, {8, 3});
+  addWalls (noisy_above, 2.78 - half_spacing, 0.0, 8_m);
+  expectStoryOf4Meters (noisy_above, 1.2);
   Building larger_below;
   addStory (larger_below, 0.0, 8_m);
   addStory (larger_below, 2.8, 4_m);
@@ -780,18 +846,132 @@ TEST (FloorPlan, HasAWallOverWhichOnlyTheCeilingOfTheStoryAboveGoesOn)
 
 TEST (FloorPlan, HasTheCeilingOfAHallBesideTwoStories)
 {
-  // The hall, from x = 0 to 4 m, is as high as the two stories right of it.
+  // The hall, from x = 0 to 4 m, is as high as the two stories right of it, which have
+  // the same ceiling. Its smaller or its larger part is over the hall.
+  for (const double end : {6.1, 8.1, 14.1}) {
+    Building house;
+    addRoom (house, 0.0, 0.0, 4_m);
+    addRoom (house, 0.0, 4.1_m, end);
+    house.level (PlaneKind::Ceiling, 2.5, {4.1, 0}, {end, 3});
+    house.level (PlaneKind::Floor, 2.8, {4.1, 0}, {end, 3});
+    addCeilingOverBoth (house, 5.3, {0, 4}, {4.1, end});
+    SCOPED_TRACE (end);
+    expectCeilings (house.plan(), 2.5, 5.3);
+  }
+}
+
+TEST (FloorPlan, HasTheCeilingOfAHallOfTwoStoriesInAHouseOfThree)
+{
   Building house;
-  house.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
-  house.level (PlaneKind::Ceiling, 5.3, {0, 0}, {4, 3});
-  house.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
-  house.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
-  house.level (PlaneKind::Floor, 0.0, {4.1, 0}, {8.1, 3});
+  addRoom (house, 0.0, 0.0, 4_m);
+  addRoom (house, 0.0, 4.1_m, 8.1_m);
   house.level (PlaneKind::Ceiling, 2.5, {4.1, 0}, {8.1, 3});
   house.level (PlaneKind::Floor, 2.8, {4.1, 0}, {8.1, 3});
+  addCeilingOverBoth (house, 5.3, {0, 4}, {4.1, 8.1});
+  house.level (PlaneKind::Floor, 5.6, {0, 0}, {8.1, 3});
+  house.level (PlaneKind::Ceiling, 7.1, {0, 0}, {8.1, 3});
+  expectCeilings (house.plan(), 2.5, 5.3);
+}
+
+TEST (FloorPlan, HasTheCeilingOfAStoryThatIsHigherThanTheOneBesideIt)
+{
+  Building house;
+  addRoom (house, 0.0, 0.0, 4_m);
+  addRoom (house, 0.0, 4.1_m, 8.1_m);
+  house.level (PlaneKind::Ceiling, 2.5, {0, 0}, {4, 3});
+  house.level (PlaneKind::Floor, 2.8, {0, 0}, {4, 3});
+  house.level (PlaneKind::Ceiling, 3.5, {4.1, 0}, {8.1, 3});
+  house.level (PlaneKind::Floor, 3.8, {4.1, 0}, {8.1, 3});
+  expectCeilings (house.plan(), 2.5, 3.5);
+}
+
+TEST (FloorPlan, HasAStairwellWithoutAFloorBesideTwoStories)
+{
+  Building house;
+  addRoom (house, 0.0, 0.0, 4_m);
+  house.level (PlaneKind::Ceiling, 2.5, {0, 0}, {4, 3});
+  addRoom (house, 2.8, 0.0, 4_m);
+  for (const double foot : {0.0, 2.5})
+    addWalls (house, foot, 4.15_m, 6.65_m);
+  addCeilingOverBoth (house, 5.3, {0, 4}, {4.15, 6.65});
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.1);
+  EXPECT_NEAR (plan.rooms[1].area, 7.5, 0.1);
+  EXPECT_NEAR (plan.rooms[1].ceiling.value_or (0.0), 5.3, 1_mm);
+  EXPECT_TRUE (
+      std::any_of (plan.walls.begin(), plan.walls.end(), [] (const PlanWall& wall) {
+        return std::abs (wall.from.x() - 4_m) < 1_cm &&
+               std::abs (wall.to.x() - 4_m) < 1_cm;
+      }));
+}
+
+TEST (FloorPlan, HasTheHeadOfTheGateOfAHallBesideTwoStories)
+{
+  Building house;
+  addRoom (house, 0.0, 4.1_m, 8.1_m);
+  house.level (PlaneKind::Ceiling, 2.5, {4.1, 0}, {8.1, 3});
+  addRoom (house, 2.8, 4.1_m, 8.1_m);
+  house.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  std::vector<Vector3d> wall = uprightAlongX (0.0, {0.025, 3.5}, {4.0, 5.3});
+  for (const Vector2d& beside_gate : {Vector2d (0.025, 1.0), Vector2d (2.525, 4.0)}) {
+    const std::vector<Vector3d> part =
+        uprightAlongX (0.0, {beside_gate.x(), 0.025}, {beside_gate.y(), 3.5});
+    wall.insert (wall.end(), part.begin(), part.end());
+  }
+  house.add (PlaneKind::Wall, Vector3d::UnitY(), wall);
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (numberOfOpenings (plan), 1u);
+  for (const PlanWall& found : plan.walls)
+    for (const PlanOpening& gate : found.openings)
+      EXPECT_NEAR (gate.head.value_or (0.0), 3.5, 6_cm);
+}
+
+TEST (FloorPlan, OfAGroundFloorEndsAtItsWallsThoughASmallBasementReachesBeyond)
+{
+  Building house;
+  addStory (house, 0.0, 8_m);
+  addRoom (house, -2.8, 7_m, 8.5_m); // a fifth of the ground floor would be 1.6 m
+  house.level (PlaneKind::Ceiling, -0.3, {7, 0}, {8.5, 3});
+  const FloorPlan plan = house.plan();
+  EXPECT_EQ (plan.walls.size(), 4u);
+  EXPECT_NEAR (sumOfLengths (plan), 22_m, 1_cm);
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 24.0, 0.01);
+}
+
+TEST (FloorPlan, HasTheFloorOfItsStoryAndNotThatOfALanding)
+{
+  Building room;
+  addStory (room, 0.0, 4_m);
+  room.level (PlaneKind::Floor, 0.9, {0, 0}, {1, 1});
+  EXPECT_NEAR (room.plan().floor, 0.0, 1_mm);
+}
+
+TEST (FloorPlan, HasSillsOfWindowsBelowTheHigherFloorOfASplitLevel)
+{
+  Building house;
+  house.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  house.level (PlaneKind::Floor, 1.0, {4.1, 0}, {8.1, 3});
+  constexpr double sill = 0.5;
+  house.wall ({0, 0}, {4, 0}, {{1.0, 2.5, sill, 2.1}});
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (numberOfOpenings (plan), 1u);
+  const PlanOpening& found_window = plan.walls.at (0).openings.at (0);
+  EXPECT_NEAR (plan.floor + found_window.sill.value_or (9.0), sill, 6_cm);
+}
+
+TEST (FloorPlan, HasNoRoomUnderARoofIfOnlyTheCeilingOfTheStoryAboveWasSeen)
+{
+  // Beside the room, from x = 4 m to 8 m, a roof covers what has no floor.
+  Building house;
+  addRoom (house, 0.0, 0.0, 4_m);
+  house.wall ({4, 0}, {8, 0}).wall ({8, 0}, {8, 3}).wall ({8, 3}, {4, 3});
+  addStory (house, 2.8, 4_m);
+  house.level (PlaneKind::Roof, 6.0, {0, 0}, {8, 3});
   const FloorPlan plan = house.plan();
   ASSERT_EQ (plan.rooms.size(), 1u);
-  EXPECT_NEAR (plan.rooms[0].ceiling.value(), 5.3, 1_mm);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.1);
 }
 
 TEST (FloorPlan, HasARoomOverATableASlabOrARampInsteadOfAFloor)

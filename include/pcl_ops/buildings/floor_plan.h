@@ -155,6 +155,11 @@ struct FloorPlan {
  * over other cells up to a wall: a minimum cut decides it for all cells at once (after
  * Ochmann, Vock, Wessel & Klein, *Automatic reconstruction of parametric building
  * models from indoor point clouds*, Computers & Graphics 54, 2016).
+ *
+ * A floor that is 1.9 m or more above that at the cut is of a story above. Parts of
+ * walls and ceilings over such a floor, or up to a meter beside it, belong to that
+ * story and not to the plan. A hall or a stairwell beside it has walls and a ceiling as
+ * high as they were seen. Where there is a story below, walls begin at the floor.
  * \param[in] cloud the input cloud of the detection
  * \param[in] planes the planes that a detector returned
  * \param[in] kinds the kind of each plane, from \ref planeKinds
