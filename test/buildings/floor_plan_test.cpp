@@ -906,12 +906,11 @@ TEST (FloorPlan, HasAStairwellWithoutAFloorBesideTwoStories)
       }));
 }
 
-TEST (FloorPlan, HasTheHeadOfTheGateOfAHallBesideTwoStories)
+/** \brief Adds a hall's floor, from (0, 0) to (4, 3 m), and a wall of it, 5.3 m high,
+ * with a gate of 1.5 m x 3.5 m. */
+void
+addHallWithGate (Building& house)
 {
-  Building house;
-  addRoom (house, 0.0, 4.1_m, 8.1_m);
-  house.level (PlaneKind::Ceiling, 2.5, {4.1, 0}, {8.1, 3});
-  addRoom (house, 2.8, 4.1_m, 8.1_m);
   house.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
   std::vector<Vector3d> wall = uprightAlongX (0.0, {0.025, 3.5}, {4.0, 5.3});
   for (const Vector2d& beside_gate : {Vector2d (0.025, 1.0), Vector2d (2.525, 4.0)}) {
@@ -920,11 +919,34 @@ TEST (FloorPlan, HasTheHeadOfTheGateOfAHallBesideTwoStories)
     wall.insert (wall.end(), part.begin(), part.end());
   }
   house.add (PlaneKind::Wall, Vector3d::UnitY(), wall);
-  const FloorPlan plan = house.plan();
-  ASSERT_EQ (numberOfOpenings (plan), 1u);
-  for (const PlanWall& found : plan.walls)
-    for (const PlanOpening& gate : found.openings)
-      EXPECT_NEAR (gate.head.value_or (0.0), 3.5, 6_cm);
+}
+
+/** \brief Expects one opening, with its head at this height. */
+void
+expectHead (const FloorPlan& plan, double head)
+{
+  EXPECT_EQ (numberOfOpenings (plan), 1u);
+  for (const PlanWall& wall : plan.walls)
+    for (const PlanOpening& opening : wall.openings)
+      EXPECT_NEAR (opening.head.value_or (0.0), head, 6_cm);
+}
+
+TEST (FloorPlan, HasTheHeadOfTheGateOfAHallBesideTwoStories)
+{
+  Building house;
+  addHallWithGate (house);
+  addRoom (house, 0.0, 4.1_m, 8.1_m);
+  house.level (PlaneKind::Ceiling, 2.5, {4.1, 0}, {8.1, 3});
+  addRoom (house, 2.8, 4.1_m, 8.1_m);
+  expectHead (house.plan(), 3.5);
+}
+
+TEST (FloorPlan, HasTheHeadOfAGateThoughTheGroundIsHigherElsewhere)
+{
+  Building house;
+  addHallWithGate (house);
+  house.level (PlaneKind::Floor, 2.5, {10, 0}, {14, 3}); // on a hill
+  expectHead (house.plan(), 3.5);
 }
 
 TEST (FloorPlan, OfAGroundFloorEndsAtItsWallsThoughASmallBasementReachesBeyond)
