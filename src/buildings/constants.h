@@ -162,7 +162,7 @@ struct BuildingConstants {
    * in the rooms at the cut. */
   double max_below_floor = 0.6;
   /** \brief Ceilings less than this above the cut are over the rooms at the cut, except
-   * where they are over the floor of a story above. */
+   * where they are over the floor of a story above, or over a lower ceiling. */
   double max_ceiling_over_cut = 6.0;
   /** \brief How far the roofs of a building seen from outside reach beyond its walls.
    */

@@ -246,6 +246,23 @@ roofsCoverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
   return covered_points > constants.min_walls_under_roofs * wall_points;
 }
 
+/** \brief Heights [m] at squares of a grid with edges of edge_of_height_square. */
+using Heights = std::map<GridSquare, double>;
+
+GridSquare
+heightSquareAt (const Vector3d& point)
+{
+  return squareAt (point.head<2>(), constants.edge_of_height_square);
+}
+
+/** \brief Makes the height at a square at most this one. */
+void
+lower (Heights& heights, const GridSquare& square, double height)
+{
+  double& lowest = heights.emplace (square, height).first->second;
+  lowest = std::min (lowest, height);
+}
+
 /** \brief The floors of the stories above a cut. A story may cover only a part of the
  * plan, beside a hall or a stairwell, so it is decided at each place apart what belongs
  * to a story above. */
@@ -258,7 +275,7 @@ public:
     for (const PlanPlane& plane : planes)
       if (plane.kind == PlaneKind::Floor && plane.height >= floor_above)
         for (const Vector3d& point : plane.points)
-          lower (heights, squareOf (point), plane.height);
+          lower (heights, heightSquareAt (point), plane.height);
     for (const auto& [square, height] : heights)
       for (const long dx : {-1, 0, 1})
         for (const long dy : {-1, 0, 1})
@@ -271,27 +288,11 @@ public:
   bool
   areBelow (const Vector3d& point, double tolerance) const
   {
-    const auto lowest = lowest_.find (squareOf (point));
+    const auto lowest = lowest_.find (heightSquareAt (point));
     return lowest != lowest_.end() && point.z() >= lowest->second - tolerance;
   }
 
 private:
-  using Heights = std::map<GridSquare, double>; // [m]
-
-  static GridSquare
-  squareOf (const Vector3d& point)
-  {
-    return squareAt (point.head<2>(), constants.edge_of_height_square);
-  }
-
-  /** \brief Makes the height of a square at most this one. */
-  static void
-  lower (Heights& heights, const GridSquare& square, double height)
-  {
-    double& lowest = heights.emplace (square, height).first->second;
-    lowest = std::min (lowest, height);
-  }
-
   Heights lowest_; // of these floors in each square and in those next to it
 };
 
@@ -306,6 +307,21 @@ leaveOutAbove (const FloorsAbove& floors_above, double tolerance, PlanPoints& po
                                   return floors_above.areBelow (point, tolerance);
                                 }),
                 points.end());
+}
+
+/** \brief Leaves out ceilings that are over lower ones by headroom: they are of a story
+ * above, also where its floor is hidden, as under a bed. */
+void
+leaveOutHigherCeilings (PlanPoints& ceilings)
+{
+  Heights lowest;
+  for (const Vector3d& point : ceilings)
+    lower (lowest, heightSquareAt (point), point.z());
+  const auto is_higher = [&lowest] (const Vector3d& point) {
+    return point.z() >= lowest.at (heightSquareAt (point)) + constants.headroom;
+  };
+  ceilings.erase (std::remove_if (ceilings.begin(), ceilings.end(), is_higher),
+                  ceilings.end());
 }
 
 /** \brief Returns the points that cover the rooms at a cut. If there is no ceiling and
@@ -339,6 +355,7 @@ coverAt (const std::vector<PlanPlane>& planes,
   }
   // One plane may be the ceiling of a hall and of the story above beside it.
   leaveOutAbove (floors_above, 0.0, cover.ceiling);
+  leaveOutHigherCeilings (cover.ceiling);
   const PlanPoints above_floor = pointsOf (planes, [&] (const PlanPlane& plane) {
     return coversFloor (plane.kind) && is_at_or_below_cut (plane);
   });

@@ -844,6 +844,19 @@ TEST (FloorPlan, HasAWallOverWhichOnlyTheCeilingOfTheStoryAboveGoesOn)
   EXPECT_EQ (plan.rooms.size(), 2u);
 }
 
+TEST (FloorPlan, HasAWallOverWhichTheFloorOfTheStoryAboveIsHidden)
+{
+  Building house;
+  addStory (house, 0.0, 8_m);
+  house.level (PlaneKind::Floor, 2.8, {0, 0}, {2.7, 3});
+  house.level (PlaneKind::Floor, 2.8, {5.4, 0}, {8, 3});
+  house.level (PlaneKind::Ceiling, 5.3, {0, 0}, {8, 3});
+  house.wall ({4, 0}, {4, 3}).wall ({4.1, 3}, {4.1, 0});
+  const FloorPlan plan = house.plan();
+  EXPECT_EQ (plan.walls.size(), 6u);
+  EXPECT_EQ (plan.rooms.size(), 2u);
+}
+
 TEST (FloorPlan, HasTheCeilingOfAHallBesideTwoStories)
 {
   // The hall, from x = 0 to 4 m, is as high as the two stories right of it, which have
