@@ -40,6 +40,20 @@ planesOf (const WallFace& face)
   return planes;
 }
 
+/** \brief Points of a wall along x with a gap from x = 1 m to 2 m.
+ * \param[in] lintel height from which on the wall reaches over the gap [m] */
+PlanPoints
+wallWithGap (double lintel)
+{
+  PlanPoints points;
+  addUpright (0.0, 0.0, 1_m, points);
+  addUpright (0.0, 2_m, 4_m, points);
+  for (double x = 1_m; x < 2.0; x += 1_cm)
+    for (double z = lintel; z < 2.5; z += 5_cm)
+      points.emplace_back (x, 0.0, z);
+  return points;
+}
+
 } // namespace
 
 TEST (WallFaces, KeepTheirEndsThoughALeafIsSeenBeyondTheGap)
@@ -122,12 +136,7 @@ TEST (WallFaces, OnOneLineAreApartWhereOneIsALeafThatTheOtherSurrounds)
   // The number of faces of a wall with a gap from x = 1 m to 2 m and of a leaf 3 cm
   // behind the gap, 2 m high. The wall reaches over the gap from a height on.
   const auto facesJoined = [] (double lintel) {
-    PlanPoints points;
-    addUpright (0.0, 0.0, 1_m, points);
-    addUpright (0.0, 2_m, 4_m, points);
-    for (double x = 1_m; x < 2.0; x += 1_cm)
-      for (double z = lintel; z < 2.5; z += 5_cm)
-        points.emplace_back (x, 0.0, z);
+    const PlanPoints points = wallWithGap (lintel);
     PlanPoints of_leaf;
     addUpright (-3_cm, 1_m, 2_m, of_leaf);
     return joinFaces ({faceAlongX (points, 0), faceAlongX (of_leaf, 1)}).size();
@@ -231,12 +240,7 @@ TEST (WallFaces, AreNoLeavesIfWallsThatFaceThemStandAtBothEndsOfTheGap)
   // 20 cm behind it, and walls 2 m long across the ends of the gap. The wall reaches
   // over the gap from a height on.
   const auto facesAlongX = [] (bool has_left, bool has_right, double lintel) {
-    PlanPoints points;
-    addUpright (0.0, 0.0, 1_m, points);
-    addUpright (0.0, 2_m, 4_m, points);
-    for (double x = 1_m; x < 2.0; x += 1_cm)
-      for (double z = lintel; z < 2.5; z += 5_cm)
-        points.emplace_back (x, 0.0, z);
+    const PlanPoints points = wallWithGap (lintel);
     PlanPoints behind, left, right;
     addUpright (-0.2, 1_m, 2_m, behind);
     for (double y = -0.2; y < 1.8; y += 1_cm)
