@@ -151,7 +151,15 @@ protected:
   {
     return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
            "'" PCL_OPS_MPIEXEC "' --oversubscribe -n " +
-           std::to_string (ranks) + " " + command;
+           std::to_string (ranks) + " " + withPathOfShell (command);
+  }
+
+  /** \brief A command that finds programs as the shell does. Open MPI, started by its
+   * full path, looks for them beside itself first, where others may be installed. */
+  static std::string
+  withPathOfShell (const std::string& command)
+  {
+    return "env PATH=\"$PATH\" " + command;
   }
 };
 
@@ -287,8 +295,8 @@ TEST_F (TilesRanks, WriteTheSameBytesWhateverTheirNumber)
 TEST_F (TilesRanks, EndSoonAfterOneIsLostAndTheNextRunGoesOn)
 {
   constexpr int code_of_timeout = 124;
-  const Outcome done =
-      shell ("timeout 20 " + byRanks (1, tiles) + " : -n 1 " + killedAt (3, tiles));
+  const Outcome done = shell ("timeout 20 " + byRanks (1, tiles) + " : -n 1 " +
+                              withPathOfShell (killedAt (3, tiles)));
   EXPECT_NE (done.exit_code, 0);
   EXPECT_NE (done.exit_code, code_of_timeout);
   EXPECT_FALSE (fs::exists (folder_ / "out/planes.json"));
