@@ -94,7 +94,7 @@ private:
         points += count;
         squares_with_points += count > 0 ? 1.0 : 0.0;
       }
-    constexpr double squares_around = (2.0 * to_side + 1.0) * (2.0 * to_side + 1.0);
+    const double squares_around = (2.0 * to_side + 1.0) * (2.0 * to_side + 1.0);
     return squares_with_points >=
                constants.min_share_of_sparse_squares * squares_around &&
            points < constants.max_points_of_sparse_square * squares_with_points;
