@@ -182,29 +182,53 @@ extensionOfSignature (const std::string& start)
     return ".e57";
   if (begins_with ("ISO-10303-21"))
     return ".ifc";
+  if (begins_with ("\x1f\x8b"))
+    return ".gz";
   return "";
 }
 
-/** \brief Returns the extension of a text format or of PCD.
- * \param[in] word the first word of the first line that is neither empty, nor a
- * comment, nor a single number */
-std::string
-extensionOfWord (const std::string& word)
+/** \brief Whether a line is one with which an .obj may begin: a keyword and a name, or
+ * a vertex, its normal or its texture as numbers behind a keyword. */
+bool
+isLineOfObj (const std::vector<std::string_view>& words)
 {
+  double number = 0.0;
+  if (words.size() == 2)
+    return words[0] == "mtllib" || words[0] == "o" || words[0] == "g";
+  return words.size() > 2 &&
+         (words[0] == "v" || words[0] == "vn" || words[0] == "vt") &&
+         numberType (pcl::PCLPointField::FLOAT64)
+             .parse (std::string (words[1]), &number);
+}
+
+/** \brief Returns the extension of a text format or of PCD.
+ * \param[in] words of the first line that is neither empty, nor a comment, nor a single
+ * number
+ * \throws WorkError if the content of a pipe cannot be told */
+std::string
+extensionOfLine (const std::vector<std::string_view>& words)
+{
+  const std::string word (words[0]);
   constexpr std::size_t max_letters_before_off = 2; // COFF, NOFF, CNOFF
   if (word == "ply")
     return ".ply";
   if (word.find ("OFF") <= max_letters_before_off)
     return ".off";
-  const auto first = static_cast<unsigned char> (word[0]);
-  const bool is_text = std::iscntrl (first) == 0;
-  // Bytes that are no text go to the reader of PCD, which refuses them.
-  return is_text && !isPcdKey (word) ? ".xyz" : ".pcd";
+  const bool is_text = std::none_of (word.begin(), word.end(), [] (char letter) {
+    return std::iscntrl (static_cast<unsigned char> (letter)) != 0;
+  });
+  // As text the corners of triangles would become points.
+  if (!is_text || isLineOfObj (words))
+    throw WorkError (standard_input,
+                     is_text ? "may be an .obj, which a pipe does not tell from text; "
+                               "give the file"
+                             : "begins as no format that a pipe tells; give the file");
+  return isPcdKey (word) ? ".pcd" : ".xyz";
 }
 
-/** \brief Returns the extension of the format of a cloud, by its first bytes. A .bin of
- * KITTI and an .obj cannot be recognized.
- * \param[in] start the first bytes of the file, at most 1 MiB (the longest header) */
+/** \brief Returns the extension of the format of a cloud in a pipe, by its first bytes.
+ * \param[in] start the first bytes, at most 1 MiB (the longest header)
+ * \throws WorkError for what may be an .obj, and for a .bin of KITTI */
 std::string
 extensionOfContent (const std::string& start)
 {
@@ -219,11 +243,10 @@ extensionOfContent (const std::string& start)
     splitWords (line, ' ', words);
     if (words.empty() || words[0][0] == '#')
       continue;
-    const std::string word (words[0]);
-    const auto first = static_cast<unsigned char> (word[0]);
+    const auto first = static_cast<unsigned char> (words[0][0]);
     const bool is_one_number = words.size() == 1 && std::isdigit (first) != 0;
     if (!is_one_number)
-      return extensionOfWord (word);
+      return extensionOfLine (words);
     if (follows_single_number) // the numbers of columns and of rows begin a PTX
       return ".ptx";
     follows_single_number = true;

@@ -174,7 +174,9 @@ TEST_F (Interruption, OfAPipeLeavesNoTemporaryFile)
 {
   // More than a pipe holds: when all is written the program has read some of it, and it
   // waits for the end of the pipe.
-  const std::string bytes (3'000'000, '\0');
+  std::string bytes;
+  while (bytes.size() < 3'000'000)
+    bytes += "1 2 3\n";
   int pipe[2];
   ASSERT_EQ (::pipe (pipe), 0);
   std::signal (SIGPIPE, SIG_IGN); // if the program ends too soon, write fails instead
@@ -182,6 +184,7 @@ TEST_F (Interruption, OfAPipeLeavesNoTemporaryFile)
   const FolderWatch temporary_files (folder_ / "tmp");
   const pid_t program =
       start ("env TMPDIR=tmp '" PCL_OPS_SEGMENT_PROGRAM "' -", pipe[0]);
+  ::close (pipe[0]);
   std::size_t written = 0;
   while (written < bytes.size()) {
     const ssize_t part = ::write (pipe[1], &bytes[written], bytes.size() - written);
@@ -190,7 +193,6 @@ TEST_F (Interruption, OfAPipeLeavesNoTemporaryFile)
   }
   EXPECT_TRUE (temporary_files.waitFor (""));
   EXPECT_EQ (interrupt (program), ended_by_sigterm);
-  ::close (pipe[0]);
   ::close (pipe[1]);
   EXPECT_EQ (namesIn ("tmp"), std::set<std::string>());
 }
