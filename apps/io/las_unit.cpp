@@ -36,29 +36,56 @@ unitInKeys (const std::string& directory)
 {
   constexpr std::uint16_t model_type_id = 1024, geographic = 2; // id and value
   constexpr std::uint16_t projected_id = 3072, linear_unit_id = 3076;
+  constexpr std::uint16_t user_defined = 32767; // a system without a number
+  LasUnit unit_of_system = LasUnit::Unknown;
   std::optional<LasUnit> unit;
-  bool is_system_in_feet = false;
   for (const GeoKey& key : geoKeysIn (directory)) {
     if (key.id == model_type_id && key.value == geographic)
       return LasUnit::Degree;
     if (key.id == linear_unit_id)
       unit = lengthUnit (key.value);
-    if (key.id == projected_id && key.location == 0)
-      is_system_in_feet = isInFeet (key.value);
+    // Systems in yards, chains or kilometers are too rare for a list of their own.
+    if (key.id == projected_id && key.location == 0 && key.value != user_defined)
+      unit_of_system = isInFeet (key.value) ? LasUnit::Foot : LasUnit::Meter;
   }
-  return unit.value_or (is_system_in_feet ? LasUnit::Foot : LasUnit::Unknown);
+  return unit.value_or (unit_of_system);
+}
+
+/** \brief Returns the unit of a vertical reference system, one of those that surveys of
+ * countries with feet have.
+ * \param[in] epsg number of the system in the EPSG dataset */
+LasUnit
+unitOfVerticalSystem (std::uint16_t epsg)
+{
+  switch (epsg) {
+  case 5702: // NGVD29 height (ftUS)
+  case 6360: // NAVD88 height (ftUS)
+  case 8228: // NAVD88 height (ft)
+    return LasUnit::Foot;
+  case 3855: // EGM2008 height
+  case 5703: // NAVD88 height
+  case 5714: // MSL height
+  case 5773: // EGM96 height
+    return LasUnit::Meter;
+  default:
+    return LasUnit::Unknown;
+  }
 }
 
 /** \brief Returns the unit of z by a directory of GeoTIFF keys. */
 LasUnit
 heightUnitInKeys (const std::string& directory)
 {
-  constexpr std::uint16_t vertical_unit_id = 4099;
-  LasUnit unit = LasUnit::Unknown;
-  for (const GeoKey& key : geoKeysIn (directory))
+  constexpr std::uint16_t vertical_system_id = 4096, vertical_unit_id = 4099;
+  LasUnit unit_of_system = LasUnit::Unknown;
+  std::optional<LasUnit> unit;
+  for (const GeoKey& key : geoKeysIn (directory)) {
     if (key.id == vertical_unit_id)
       unit = lengthUnit (key.value);
-  return unit;
+    if (key.id == vertical_system_id && key.location == 0)
+      unit_of_system = unitOfVerticalSystem (key.value);
+  }
+  return unit.value_or (unit_of_system);
 }
 
 /** \brief Returns the offset in a WKT text of the first of its keywords that is one of

@@ -111,6 +111,18 @@ TEST_F (LasUnitTest, OfHeightsIsReadFromTheKeysOfAFile)
   EXPECT_EQ (heightUnitWithKeys ({{linear_unit, unit_foot}}), LasUnit::Unknown);
 }
 
+TEST_F (LasUnitTest, OfHeightsIsThatOfTheirSystemWhereNoKeyTellsTheUnit)
+{
+  constexpr std::uint16_t navd88_in_us_feet = 6360, navd88 = 5703, unknown = 1;
+  EXPECT_EQ (heightUnitWithKeys ({{vertical_system, navd88_in_us_feet}}),
+             LasUnit::Foot);
+  EXPECT_EQ (heightUnitWithKeys ({{vertical_system, navd88}}), LasUnit::Meter);
+  EXPECT_EQ (heightUnitWithKeys ({{vertical_system, unknown}}), LasUnit::Unknown);
+  EXPECT_EQ (
+      heightUnitWithKeys ({{vertical_system, navd88}, {vertical_unit, unit_foot}}),
+      LasUnit::Foot);
+}
+
 TEST_F (LasUnitTest, IsReadFromTheTextOfAFile)
 {
   EXPECT_EQ (unitWithText ("PROJCS[\"a\",UNIT[\"US survey foot\",0.3048006]]"),
@@ -132,12 +144,13 @@ TEST_F (LasUnitTest, IsReadFromTheKeysOfAFile)
   EXPECT_EQ (unitOf (cut_short), LasUnit::Unknown);
 }
 
-TEST_F (LasUnitTest, IsFeetByTheNumberOfASystemWhereNoKeyTellsTheUnit)
+TEST_F (LasUnitTest, IsThatOfANumberedSystemWhereNoKeyTellsTheUnit)
 {
-  constexpr std::uint16_t utm_zone_32 = 32632;
+  constexpr std::uint16_t utm_zone_32 = 32632, user_defined = 32767;
   EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet}}), LasUnit::Foot);
   EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet},
                             {linear_unit, unit_meter}}),
              LasUnit::Meter);
-  EXPECT_EQ (unitWithKeys ({{projected_system, utm_zone_32}}), LasUnit::Unknown);
+  EXPECT_EQ (unitWithKeys ({{projected_system, utm_zone_32}}), LasUnit::Meter);
+  EXPECT_EQ (unitWithKeys ({{projected_system, user_defined}}), LasUnit::Unknown);
 }

@@ -27,6 +27,7 @@ inline constexpr std::uint16_t model_type = 1024;
 inline constexpr std::uint16_t geographic_system = 2048;
 inline constexpr std::uint16_t projected_system = 3072;
 inline constexpr std::uint16_t linear_unit = 3076; // of x and y
+inline constexpr std::uint16_t vertical_system = 4096;
 inline constexpr std::uint16_t vertical_unit = 4099;
 // Values of model_type, of projected_system, and of keys of units.
 inline constexpr std::uint16_t projected_model = 1, geographic_model = 2;
