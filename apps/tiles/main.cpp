@@ -432,9 +432,8 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
 {
   const PlanFile own = planFileOf (folder);
   const PlanFile named = // by --plan; the same file without it
-      options.plan_file.empty()
-          ? own
-          : PlanFile{options.plan_file, "remove it or give another --plan"};
+      options.plan_file.empty() ? own
+                                : PlanFile{options.plan_file, "give another --plan"};
   const bool has_own = isThere (own.name);
   const auto load_for_this_run = [&] (const PlanFile& file) {
     Plan plan = loadPlan (file);

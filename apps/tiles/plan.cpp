@@ -10,6 +10,7 @@
 #include <detection/plane_list.h>
 #include <io/las_crs.h>
 #include <io/las_file.h>
+#include <io/las_unit.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/voxel_size.h>
@@ -258,6 +259,28 @@ commonToLas (const std::vector<PlannedInput>& inputs, Value (*read) (LasFile&))
   return common;
 }
 
+/** \brief Refuses inputs of which some are in meters and some in feet by their
+ * reference systems: their places would not fit. */
+void
+refuseMixedUnits (const std::vector<PlannedInput>& inputs)
+{
+  std::string in_meters;
+  std::string in_feet;
+  for (const PlannedInput& input : inputs)
+    if (isLasName (input.file)) {
+      LasFile las (input.file);
+      const LasUnit unit = unitOf (las);
+      if (unit == LasUnit::Meter && in_meters.empty())
+        in_meters = input.file;
+      if (unit == LasUnit::Foot && in_feet.empty())
+        in_feet = input.file;
+    }
+  if (!in_meters.empty() && !in_feet.empty())
+    throw WorkError (in_feet,
+                     "is in feet by its reference system and " + in_meters +
+                         " in meters; convert one of them");
+}
+
 /** \brief Whether the lengths and cells of a plan file are valid. */
 bool
 hasValidLengths (const Plan& plan)
@@ -316,6 +339,8 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
     if (grid.reaches (point))
       tiles.insert (grid.tileOf (grid.cellOf (point)));
   plan.likely_tiles = tiles.size();
+  if (!options.meter)
+    refuseMixedUnits (plan.inputs);
   plan.meter = options.meter ? *options.meter
                              : commonToLas (plan.inputs, unitsInMeter).value_or (1.0);
   return plan;
@@ -356,7 +381,7 @@ loadPlan (const PlanFile& file)
     std::ifstream stream (fs::is_directory (file.name, error) ? "" : file.name);
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
-    if (json.value ("format", 1) != format_version)
+    if (json.at ("format") != format_version)
       throw WorkError (file.name,
                        "is the plan of another version of this program; " + file.fix);
     TileGrid& grid = plan.grid;

@@ -4,6 +4,7 @@
 #include <numbers/random.h>
 #include <support/answers.h>
 #include <support/cloud_values.h>
+#include <support/las_bytes.h>
 
 #include <cmath>
 #include <fstream>
@@ -108,6 +109,12 @@ protected:
     save (folder_ / "yonder.las", all, {0, 1e12, 0});
     save (folder_ / "one.las", {all.begin(), all.end() - 600});
     save (folder_ / "two.las", {all.begin() + 600, all.end()});
+    for (const auto& [name, unit] :
+         {std::pair ("feet.las", unit_foot), std::pair ("meters.las", unit_meter)}) {
+      LasRecipe recipe;
+      recipe.vlrs = {geoKeys ({{linear_unit, unit}})};
+      folder_.write (name, lasBytes (recipe));
+    }
     folder_.write ("floor.xyz", squareOfPoints (0.1));
     folder_.write ("one_place.xyz", pointsAtOnePlace());
     folder_.write ("stray.xyz", "1 1e300 1\nnan 1 1\n" + squareOfPoints (0.04));
@@ -275,9 +282,7 @@ TEST_P (WrongPlan, IsRefused)
   const Outcome done =
       shell ("pcl_ops_tiles wall.las --output-dir other --plan wrong.json");
   EXPECT_EQ (done.exit_code, 1);
-  EXPECT_EQ (
-      done.err,
-      "pcl_ops_tiles: wrong.json: is no plan; remove it or give another --plan\n");
+  EXPECT_EQ (done.err, "pcl_ops_tiles: wrong.json: is no plan; give another --plan\n");
 }
 
 TEST_F (ChosenPlanes, AllAreCountedByTheRun)
