@@ -244,23 +244,31 @@ removeStale (const fs::path& file)
                      "cannot be removed (" + error.message() + "); remove it");
 }
 
-/** Removes tiles of an earlier, larger town from a folder: they would be taken for
- * tiles of this one.
+/** Refuses a file of an earlier, larger scene: it would be taken for one of this scene.
+ */
+[[noreturn]] void
+refuseOfLargerScene (const fs::path& file)
+{
+  throw WorkError (
+      file.string(),
+      "would be taken for a file of this scene, which has fewer; remove it "
+      "or give another folder");
+}
+
+/** Refuses a folder with tiles of an earlier, larger town.
  * \param[in] tiles number of tiles along each side of this town */
 void
-removeTilesBeyond (std::uint32_t tiles, const std::string& folder)
+refuseTilesBeyond (std::uint32_t tiles, const std::string& folder)
 {
   const std::regex name_of_tile ("town_([0-9]{3})_([0-9]{3})\\.las");
-  std::vector<fs::path> beyond;
-  for (const fs::directory_entry& entry : fs::directory_iterator (folder)) {
+  std::error_code error; // where there is no folder yet, there are no tiles
+  for (const fs::directory_entry& entry : fs::directory_iterator (folder, error)) {
     const std::string name = entry.path().filename().string();
     std::smatch numbers; // all, column, row
     if (std::regex_match (name, numbers, name_of_tile) &&
         std::max (std::stoul (numbers[1]), std::stoul (numbers[2])) >= tiles)
-      beyond.push_back (entry.path());
+      refuseOfLargerScene (entry.path());
   }
-  for (const fs::path& file : beyond)
-    removeStale (file);
 }
 
 /** Writes a .las file for each tile that has points.
@@ -272,6 +280,7 @@ writeTown (const SimulationOptions& options)
   const Simulation& simulation = options.simulation;
   const Town town =
       makeTown (simulation.seed, simulation.points.value_or (1e6), options.tiles);
+  refuseTilesBeyond (town.tiles, options.output);
   const auto nameOf = [&town] (std::size_t i) {
     return str (boost::format ("town_%03u_%03u.las") % (i % town.tiles) %
                 (i / town.tiles));
@@ -294,10 +303,7 @@ writeTown (const SimulationOptions& options)
     return points.size();
   };
   const std::size_t tiles = std::size_t (town.tiles) * town.tiles;
-  const std::string summary =
-      writeFiles (options, tiles, "tiles", "give more --tiles", nameOf, save);
-  removeTilesBeyond (town.tiles, options.output);
-  return summary;
+  return writeFiles (options, tiles, "tiles", "give more --tiles", nameOf, save);
 }
 
 /** Writes the frames of a walk or a drive, and the measured poses.
@@ -317,12 +323,12 @@ writeFrames (const SimulationOptions& options)
     saveLabeledPcd (file, cloud);
     return cloud.size();
   };
+  std::error_code error; // of a name that no file can have; writing will report it
+  if (const fs::path next = options.inFolder (nameOf (options.frames));
+      fs::exists (next, error))
+    refuseOfLargerScene (next);
   const std::string summary =
       writeFiles (options, options.frames, "frames", advice, nameOf, save);
-  // Removes frames of an earlier, longer walk: they would be taken for frames of this
-  // one.
-  for (std::size_t i = options.frames; fs::exists (options.inFolder (nameOf (i))); ++i)
-    removeStale (options.inFolder (nameOf (i)));
   savePoses (options.inFolder ("poses.txt"),
              measuredPoses (view.poses, options.pose_errors, simulation.seed));
   return summary;
