@@ -7,6 +7,7 @@
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/las_unit.h>
+#include <io/output_file.h>
 #include <picture/colors.h>
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
@@ -183,11 +184,19 @@ writeLas (const std::string& file,
               [&] { saveLabeledLas (file, *las, plane_labels, distances_of_points); });
 }
 
+/** \brief Writes a file in one step, with the errors of the programs. */
+void
+replaceFile (const std::string& file, const std::string& content)
+{
+  doFileWork (PyExc_OSError, [&] { writeTextFile (file, content); });
+}
+
 } // namespace
 
 PYBIND11_MODULE (_files, module)
 {
   module.def ("load", &load);
+  module.def ("replace", &replaceFile);
   module.def ("save", &writeCloud);
   module.def ("save_las", &writeLas);
 }

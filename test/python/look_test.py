@@ -108,6 +108,13 @@ class Page(unittest.TestCase):
             pcl_ops.write_html(path, points, labels, planes)
         self.assertEqual(os.listdir(self.path.parent), [])
 
+    def test_does_not_replace_a_file_of_another_kind(self):
+        path = self.path.parent / "room.pcd"
+        path.write_text("mine")
+        with self.assertRaisesRegex(ValueError, "room.pcd: has an unknown extension; give .html"):
+            pcl_ops.write_html(path, points, labels, planes)
+        self.assertEqual(path.read_text(), "mine")
+
 
 if __name__ == "__main__":
     unittest.main()

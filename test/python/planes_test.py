@@ -295,6 +295,24 @@ class Maps(unittest.TestCase):
         pcl_ops.write_planes(self.folder / "map.csv", [])
         self.assertRegex((self.folder / "map.csv").read_text(), "^id,orientation,.*,height,wkt\n$")
 
+    def test_pieces_have_the_number_of_their_plane(self):
+        # Two table tops at the same height, 1.6 m apart, and a wall.
+        grid = np.stack(np.meshgrid(np.arange(60), np.arange(60)), -1).reshape(-1, 2) * 0.04
+        top = np.column_stack([grid, np.full(len(grid), 0.7)])
+        wall = np.column_stack([grid[:, 0], np.full(len(grid), -3.0), grid[:, 1]])
+        scene = np.vstack([top, top + [4.0, 0.0, 0.0], wall])
+        pieces = pcl_ops.segment(scene, pieces=True)[1]
+        numbers = [piece.lies_on + 1 for piece in pieces]
+        self.assertEqual(sorted(numbers), [1, 1, 2])
+        self.assertEqual([one["properties"]["plane"] for one in self.features(pieces)], numbers)
+        pcl_ops.write_planes(self.folder / "map.json", pieces)
+        listed = json.loads((self.folder / "map.json").read_text())["planes"]
+        self.assertEqual([one["plane"] for one in listed], numbers)
+        pcl_ops.write_planes(self.folder / "map.csv", pieces)
+        header, *rows = (self.folder / "map.csv").read_text().splitlines()
+        self.assertTrue(header.startswith("id,plane,orientation,"))
+        self.assertEqual([int(row.split(",")[1]) for row in rows], numbers)
+
     def test_what_does_not_fit_is_refused_and_leaves_files_as_they_are(self):
         (self.folder / "map.csv").write_text("mine")
         os.mkfifo(self.folder / "pipe.csv")
@@ -314,7 +332,8 @@ class Maps(unittest.TestCase):
              r"labels: have to be below 2\^63, not 9223372036854775808"),
             ("map.csv", planes, {"hull": "round"}, ValueError, "hull: has to be 'convex' or"),
             ("map.csv", [1], {}, TypeError, "planes: not a list"),
-            ("none/map.csv", planes, {}, OSError, "none/map.csv"),
+            ("none/map.csv", planes, {}, OSError,
+             "none/map.csv: its folder does not exist; create it"),
         ):
             with self.subTest(said), self.assertRaisesRegex(error, said):
                 pcl_ops.write_planes(self.folder / name, some, **given)

@@ -85,6 +85,9 @@ def write_html(
 
     Raises OSError if the file cannot be written; then an existing file stays as it was.
     """
+    name = os.fsdecode(path)
+    if os.path.splitext(name)[1].lower() != ".html":
+        raise ValueError(f"{name}: has an unknown extension; give .html")
     planes = plane_list("planes", planes)
     upwards = up_of(planes, up)
     array = points_array(points)
@@ -96,7 +99,7 @@ def write_html(
     sensor = finite_vector("viewpoint", viewpoint)
     is_seen = is_seen_from(array, sensor)
     description = {
-        "title": os.path.basename(os.fsdecode(path)) if title is None else title,
+        "title": os.path.basename(name) if title is None else title,
         "up": upwards.tolist(), "backs": not is_seen,
         "view": _direction_to_eye(array, sensor, upwards, is_seen).tolist(),
         "planes": [_described(i + 1, plane, upwards) for i, plane in enumerate(planes)],

@@ -8,7 +8,6 @@ import json
 import math
 import os
 import re
-import secrets
 from typing import Any, Dict, List, Literal, Optional, Sequence, Union
 
 import numpy as np
@@ -16,7 +15,7 @@ from numpy.typing import NDArray
 
 from ._arguments import Up, array_of
 from ._geopackage import geopackage_of
-from ._planes import TABLE_COLUMNS, Planes, plane_list, up_of
+from ._planes import TABLE_COLUMNS, Plane, Planes, plane_list, up_of
 
 # The outline of a plane, then its holes: arrays of corners, of shape (m, 3).
 Rings = List[NDArray[np.float64]]
@@ -49,7 +48,7 @@ def write_planes(
     ids = _ids(labels, len(listed))
     if hull not in ("convex", "concave"):
         raise ValueError(f"hull: has to be 'convex' or 'concave', not {hull!r:.80}")
-    rows = [{"id": plane_id, **plane.as_dict(upwards)} for plane_id, plane in zip(ids, listed)]
+    rows = [_row(plane_id, plane, upwards) for plane_id, plane in zip(ids, listed)]
     outlines = [[plane.hull] if len(plane.hull) else [] for plane in listed]
     if hull == "concave":
         concave = [plane.concave_outline() for plane in listed]
@@ -61,16 +60,27 @@ def write_planes(
     if crs is not None and extension not in (".geojson", ".gpkg"):
         raise ValueError(f"crs: is about a .geojson or a .gpkg, not {name}")
     if extension == ".geojson":
-        text = _geojson(rows, outlines, crs)
+        content = _geojson(rows, outlines, crs).encode()
     elif extension == ".gpkg":
-        return _replace_file(name, geopackage_of(_geojson(rows, outlines, crs), "planes"))
+        content = geopackage_of(_geojson(rows, outlines, crs), "planes")
     elif extension == ".csv":
-        text = _csv(rows, outlines)
+        content = _csv(rows, outlines).encode()
     elif extension == ".json":
-        text = _json(rows, outlines, listed)
+        content = _json(rows, outlines, listed).encode()
     else:
         raise ValueError(f"{name}: has an unknown extension; give .geojson, .gpkg, .csv or .json")
-    _replace_file(name, text.encode())
+    from . import _files  # here, so that only those who write a file load it
+
+    _files.replace(os.fsencode(path), content)
+
+
+def _row(plane_id: int, plane: Plane, up: NDArray[np.float64]) -> Dict[str, Any]:
+    """The columns of a plane; those of a piece have the id of the plane it lies on."""
+    row: Dict[str, Any] = {"id": plane_id}
+    if plane.lies_on is not None:
+        row["plane"] = plane.lies_on + 1
+    row.update(plane.as_dict(up))
+    return row
 
 
 def _ids(labels: Any, plane_count: int) -> Sequence[int]:
@@ -87,34 +97,6 @@ def _ids(labels: Any, plane_count: int) -> Sequence[int]:
     if counts.max() > 1:
         raise ValueError(f"labels: {distinct[counts.argmax()]} is there twice; give each plane its own")
     return array.tolist()
-
-
-def _replace_file(name: str, content: bytes) -> None:
-    """Writes a file under another name, then renames it.
-
-    If this fails, an existing file stays as it was. Folders, pipes and devices, also behind a
-    link, and files that the user has protected are not replaced, as by the programs.
-    """
-    target = os.path.realpath(name)
-    folder, base = os.path.split(target)
-    if os.path.exists(target) and not os.path.isfile(target):
-        raise OSError(f"{name}: is no regular file; give another name")
-    if os.path.exists(target) and not os.access(target, os.W_OK):
-        raise PermissionError(f"{name}: is write-protected; give another name")
-    # Each call has another name, as several threads may write the same file.
-    unfinished = os.path.join(folder, f"{base}.{secrets.token_urlsafe(6)}.part")
-    # Read and write for all; the system removes the permissions in the user's umask.
-    descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
-    permission_bits = 0o7777
-    try:
-        with open(descriptor, "wb") as file:
-            file.write(content)
-        if os.path.exists(target):
-            os.chmod(unfinished, os.stat(target).st_mode & permission_bits)
-        os.replace(unfinished, target)
-    except BaseException:
-        os.remove(unfinished)
-        raise
 
 
 def _seen_from_above(rings: Rings) -> Rings:
@@ -206,6 +188,8 @@ def _json(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], planes: Pla
         open_rings = [ring[:-1].tolist() for ring in rings]
         entry["hull"] = open_rings[0] if open_rings else []
         entry["holes"] = open_rings[1:]
+        if "plane" in row:
+            entry["plane"] = row["plane"]
         entries.append(entry)
     return json.dumps({"planes": entries}, indent=1, allow_nan=False) + "\n"
 
@@ -214,9 +198,11 @@ def _csv(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings]) -> str:
     """A table of planes, with the outline as well-known text in the last column."""
     stream = io.StringIO()
     table = csv.writer(stream, lineterminator="\n")
-    table.writerow(["id", *TABLE_COLUMNS, "wkt"])
+    plane_of_piece = ["plane"] if any("plane" in row for row in rows) else []
+    columns = ["id", *plane_of_piece, *TABLE_COLUMNS]
+    table.writerow([*columns, "wkt"])
     decimals = _decimals(rows)
     for row, rings in zip(rows, outlines):
         wkt = f"POLYGON Z {_nested(rings, decimals, ' ', '()', '')}" if rings else "POLYGON Z EMPTY"
-        table.writerow([*row.values(), wkt])
+        table.writerow([*(row.get(name) for name in columns), wkt])
     return stream.getvalue()
