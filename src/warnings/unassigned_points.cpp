@@ -43,16 +43,18 @@ searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
   return searches;
 }
 
-/** \brief Share of all points that are on large planes: on planes that each have at
- * least min_plane_share of all points.
- * \param[in] points number of finite points of the cloud */
+/** \brief Share of all points that are on large planes.
+ * \param[in] points number of finite points of the cloud
+ * \param[in] least_share of all points that a large plane has */
 double
-shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
+shareOnPlanes (const std::vector<PlaneSegment>& planes,
+               std::size_t points,
+               double least_share = warning_constants.min_plane_share)
 {
   const double all = static_cast<double> (points);
   double on_planes = 0.0;
   for (const PlaneSegment& plane : planes)
-    if (plane.moments.count >= warning_constants.min_plane_share * all)
+    if (plane.moments.count >= least_share * all)
       on_planes += plane.moments.count;
   return on_planes / all;
 }
@@ -154,13 +156,16 @@ warnOfUnassignedPoints (const CloudView& cloud,
   }
   const double share_before = shareOnPlanes (planes, sample.finite_points);
   for (const OtherSearch& other : searches) {
-    const double share =
-        shareOnPlanes (detectPlanes (cloud, other.parameters), sample.finite_points);
-    if (share >= share_before + warning_constants.min_gained_share)
+    const std::vector<PlaneSegment> found = detectPlanes (cloud, other.parameters);
+    if (shareOnPlanes (found, sample.finite_points) >=
+        share_before + warning_constants.min_gained_share) {
+      const double share_on_all = shareOnPlanes (found, sample.finite_points, 0.0);
       return ResultWarning{"unassigned-points",
                            percentText (sample.shareOnNoPlane()) +
                                " of the points are on no plane; for " +
-                               percentText (share) + " on planes " + other.advice};
+                               percentText (share_on_all) + " on planes " +
+                               other.advice};
+    }
   }
   return std::nullopt;
 }
