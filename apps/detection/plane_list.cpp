@@ -608,7 +608,7 @@ declareMap (CommandLine& line, MapOptions& options)
             })
       .help ("reference system to name in .geojson and .gpkg");
   line.add ("simplify M", options.simplify, from (0))
-      .help ("straighten outlines in .csv, .geojson, .gpkg, by M at most (0)");
+      .help ("straighten outlines in maps and .csv: move corners by M at most (0)");
 }
 
 void
