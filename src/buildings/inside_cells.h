@@ -15,8 +15,7 @@ struct CellEvidence {
   double uncovered = 0.0;
   /** \brief Length of the border that counts against the cell being in a room, whether
    * the cells beside it are in rooms or not [m]: that of the sides on the rim of the
-   * plan, the border of the box that holds all cells. For a cell within a wall it is
-   * the length of all sides. */
+   * plan, around all cells. For a cell within a wall it is the length of all sides. */
   double border_without_wall = 0.0;
 };
 

@@ -111,12 +111,9 @@ sidesByKey (const std::vector<PlanCell>& cells)
 } // namespace
 
 std::vector<PlanCell>
-cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines)
+cellsOf (const PlanarPoints& rim, const std::vector<PlanLine>& lines)
 {
-  const Eigen::Vector2d low = box.min();
-  const Eigen::Vector2d high = box.max();
-  std::vector<PlanCell> cells = {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}},
-                                  {no_line, no_line, no_line, no_line}}};
+  std::vector<PlanCell> cells = {{rim, std::vector<std::size_t> (rim.size(), no_line)}};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::vector<PlanCell> divided;
     for (const PlanCell& cell : cells) {

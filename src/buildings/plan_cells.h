@@ -22,10 +22,11 @@ struct PlanCell {
   std::vector<std::size_t> lines;
 };
 
-/** \brief Divides a box into cells by all lines. Each line is extended to the border of
- * the box, which is the rim of the plan. */
+/** \brief Divides a plan into cells by all lines. Each line is extended to the rim of
+ * the plan.
+ * \param[in] rim convex and counter-clockwise; the first corner is not repeated */
 std::vector<PlanCell>
-cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines);
+cellsOf (const PlanarPoints& rim, const std::vector<PlanLine>& lines);
 
 /** \brief Two cells with a common side. */
 struct CommonSide {

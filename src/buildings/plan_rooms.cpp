@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -141,6 +142,15 @@ medianOf (std::vector<double>& values)
   return *middle;
 }
 
+Eigen::AlignedBox2d
+boxAround (const PlanarPoints& points)
+{
+  Eigen::AlignedBox2d box;
+  for (const Vector2d& point : points)
+    box.extend (point);
+  return box;
+}
+
 /** \brief Returns the height of the points in a room [m]: the median over grid squares
  * of the median height in the square; nothing without points. Each square counts once,
  * because most points are near the sensor, and floors and ceilings are bent where the
@@ -149,9 +159,7 @@ medianOf (std::vector<double>& values)
 std::optional<double>
 heightIn (const PlanRoom& room, const PlanPoints& points)
 {
-  Eigen::AlignedBox2d box;
-  for (const Vector2d& corner : room.rings.front())
-    box.extend (corner);
+  const Eigen::AlignedBox2d box = boxAround (room.rings.front());
   std::map<std::pair<long, long>, std::vector<double>> squares; // heights by square
   for (const Eigen::Vector3d& point : points)
     if (box.contains (point.head<2>().eval()) && isInRoom (room, point.head<2>())) {
@@ -168,25 +176,53 @@ heightIn (const PlanRoom& room, const PlanPoints& points)
   return medianOf (heights);
 }
 
-/** \brief Returns the box whose border is the rim of the plan. */
-Eigen::AlignedBox2d
-boxAround (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
+/** \brief Returns the main direction of the walls, a unit vector: the mean of their
+ * directions, weighted by length, where directions at right angles are the same. The
+ * fourth power of a unit complex number has four times its angle, so that it is the
+ * same after each quarter of a turn. */
+Vector2d
+mainDirectionOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
 {
-  Eigen::AlignedBox2d box;
+  std::complex<double> sum = 0.0;
+  for (const WallSpan& span : spans) {
+    const Vector2d& along = faces[span.face].line.along;
+    const std::complex<double> direction (along.x(), along.y());
+    const std::complex<double> square = direction * direction;
+    sum += span.whole.length() * square * square;
+  }
+  const double angle = std::arg (sum) / 4.0;
+  return {std::cos (angle), std::sin (angle)};
+}
+
+/** \brief Returns the corners of the rim of the plan, counter-clockwise: a rectangle
+ * margin_of_plan beyond all walls. It lies along their main direction, so that it turns
+ * with the building. */
+PlanarPoints
+rimAround (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
+{
+  const PlanLine axis{Vector2d::Zero(), mainDirectionOf (faces, spans)};
+  Eigen::AlignedBox2d box; // of positions along the axis, and of distances to it
   for (const WallSpan& span : spans)
-    for (const double end : {span.whole.from, span.whole.to})
-      box.extend (faces[span.face].line.at (end));
-  return {box.min().array() - constants.margin_of_plan,
-          box.max().array() + constants.margin_of_plan};
+    for (const double position : {span.whole.from, span.whole.to}) {
+      const Vector2d end = faces[span.face].line.at (position);
+      box.extend (Vector2d (axis.positionOf (end), axis.distance (end)));
+    }
+  const Vector2d low = box.min().array() - constants.margin_of_plan;
+  const Vector2d high = box.max().array() + constants.margin_of_plan;
+  PlanarPoints rim;
+  for (const Vector2d& corner :
+       {low, Vector2d (high.x(), low.y()), high, Vector2d (low.x(), high.y())})
+    rim.push_back (axis.at (corner.x()) + corner.y() * axis.normal());
+  return rim;
 }
 
 std::vector<PlanCell>
-cellsBetween (const std::vector<CellLine>& lines, const Eigen::AlignedBox2d& box)
+cellsBetween (const std::vector<CellLine>& lines, const PlanarPoints& rim)
 {
   std::vector<PlanLine> all;
   for (const CellLine& line : lines)
     all.push_back (line.line);
-  return cellsOf (box, all);
+  return cellsOf (rim, all);
 }
 
 /** \brief Lines with their walls, and the cells into which the lines divide a plan. */
@@ -542,9 +578,9 @@ roomsOf (const std::vector<WallFace>& faces,
   if (spans.empty() || spans.size() > constants.max_walls)
     return {};
   DividedPlan plan{cellLinesOf (faces, spans), {}, {}};
-  const Eigen::AlignedBox2d box = boxAround (faces, spans);
-  plan.cells = cellsBetween (plan.lines, box);
-  findCellsInRooms (cover.points, box, plan);
+  const PlanarPoints rim = rimAround (faces, spans);
+  plan.cells = cellsBetween (plan.lines, rim);
+  findCellsInRooms (cover.points, boxAround (rim), plan);
   CellSets sets = joinCells (plan);
   std::vector<PlanRoom> rooms;
   for (const auto& [root, joined] : outlinesOf (plan, sets)) {

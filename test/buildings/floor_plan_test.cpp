@@ -31,6 +31,21 @@ addSparseFloor (Building& building, const Vector2d& low, const Vector2d& high)
   building.add (PlaneKind::Floor, Vector3d::UnitZ(), points);
 }
 
+/** \brief Returns a building turned about the vertical.
+ * \param[in] angle counter-clockwise [rad] */
+Building
+turnedBy (double angle, Building building)
+{
+  const Eigen::AngleAxisd turn (angle, Vector3d::UnitZ());
+  for (pcl::PointXYZ& point : building.cloud)
+    point = toPoint (turn * point.getVector3fMap().cast<double>());
+  for (PlaneSegment& plane : building.planes) {
+    plane.centroid = turn * plane.centroid;
+    plane.normal = turn * plane.normal;
+  }
+  return building;
+}
+
 /** \brief Length of all walls together [m]. */
 double
 sumOfLengths (const FloorPlan& plan)
@@ -617,6 +632,29 @@ TEST (FloorPlan, HasARoomUpToTheEndsOfItsWallsWhereTheLastOneWasNotSeen)
   ASSERT_EQ (plan.rooms[0].unseen.size(), 1u);
   const auto& [from, to] = plan.rooms[0].unseen[0];
   EXPECT_NEAR ((to - from).norm(), 3_m, 1_cm);
+}
+
+TEST (FloorPlan, HasTheSameRoomsWhicheverWayABuildingIsTurned)
+{
+  // A room without the wall across one of its corners, and one between walls that lean
+  // towards each other, without the wall at their far ends.
+  Building corner;
+  corner.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 5});
+  corner.level (PlaneKind::Floor, 0.0, {4, 2}, {6, 5});
+  corner.wall ({0, 0}, {4, 0}).wall ({6, 2}, {6, 5});
+  corner.wall ({6, 5}, {0, 5}).wall ({0, 5}, {0, 0});
+  Building wedge;
+  wedge.level (PlaneKind::Floor, 0.0, {0, 0.7}, {4, 2.3});
+  wedge.wall ({0, 0}, {4, 0.7}).wall ({4, 2.3}, {0, 3}).wall ({0, 3}, {0, 0});
+  for (const Building& building : {corner, wedge}) {
+    const FloorPlan plan = building.plan();
+    ASSERT_EQ (plan.rooms.size(), 1u);
+    for (const double degrees : {20.0, 45.0, 70.0}) {
+      const FloorPlan turned = turnedBy (degrees * 1_deg, building).plan();
+      ASSERT_EQ (turned.rooms.size(), 1u) << degrees;
+      EXPECT_NEAR (turned.rooms[0].area, plan.rooms[0].area, 0.01) << degrees;
+    }
+  }
 }
 
 TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutIfTheFloorEndsAtIt)

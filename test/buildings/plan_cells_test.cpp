@@ -13,8 +13,8 @@ using Eigen::Vector2d;
 
 namespace {
 
-/** \brief A box of 4 m x 3 m that is not at zero. */
-const Eigen::AlignedBox2d plan_box (Vector2d (10, 20), Vector2d (14, 23));
+/** \brief A rim of 4 m x 3 m that is not at zero. */
+const pcl_ops::PlanarPoints rim_of_plan = {{10, 20}, {14, 20}, {14, 23}, {10, 23}};
 // PlanLine is a point of the line and its direction.
 const PlanLine line_across = {{11, 0}, {0, 1}};
 const PlanLine line_along = {{0, 22}, {1, 0}};
@@ -44,18 +44,18 @@ sidesOnLine (std::size_t line, const std::vector<PlanCell>& cells)
 
 } // namespace
 
-TEST (PlanCells, AreTheWholeBoxWithoutALineAcrossIt)
+TEST (PlanCells, AreTheWholePlanWithoutALineAcrossIt)
 {
   const PlanLine beside = {{9, 0}, {0, 1}};
   const PlanLine at_the_rim = {{10, 0}, {0, 1}};
-  const std::vector<PlanCell> cells = cellsOf (plan_box, {beside, at_the_rim});
+  const std::vector<PlanCell> cells = cellsOf (rim_of_plan, {beside, at_the_rim});
   EXPECT_EQ (areasOfCells (cells), std::vector<double>{12.0});
   EXPECT_EQ (sidesOnLine (no_line, cells), 4u);
 }
 
 TEST (PlanCells, AreFourOfTwoLinesThatCross)
 {
-  const std::vector<PlanCell> cells = cellsOf (plan_box, {line_across, line_along});
+  const std::vector<PlanCell> cells = cellsOf (rim_of_plan, {line_across, line_along});
   EXPECT_EQ (areasOfCells (cells), (std::vector<double>{1.0, 2.0, 3.0, 6.0}));
   EXPECT_EQ (sidesOnLine (0, cells), 4u);
   EXPECT_EQ (sidesOnLine (1, cells), 4u);
@@ -64,7 +64,7 @@ TEST (PlanCells, AreFourOfTwoLinesThatCross)
 
 TEST (PlanCells, AreTwoTrianglesWhereALineGoesThroughTwoCorners)
 {
-  const std::vector<PlanCell> cells = cellsOf (plan_box, {line_through_corners});
+  const std::vector<PlanCell> cells = cellsOf (rim_of_plan, {line_through_corners});
   EXPECT_EQ (areasOfCells (cells), (std::vector<double>{6.0, 6.0}));
   for (const PlanCell& cell : cells) {
     EXPECT_EQ (cell.corners.size(), 3u);
@@ -75,7 +75,7 @@ TEST (PlanCells, AreTwoTrianglesWhereALineGoesThroughTwoCorners)
 TEST (CommonSides, AreBetweenCellsThatTouchAlongALine)
 {
   // Four cells: each touches two others along a line.
-  const std::vector<PlanCell> cells = cellsOf (plan_box, {line_across, line_along});
+  const std::vector<PlanCell> cells = cellsOf (rim_of_plan, {line_across, line_along});
   const std::vector<CommonSide> sides = commonSides (cells);
   ASSERT_EQ (sides.size(), 4u) << "sides at the rim belong to one cell";
   for (const CommonSide& side : sides) {
