@@ -32,9 +32,29 @@ towards (const Vector3d& direction, const Vector3d& side)
   return direction.dot (side) < 0.0 ? Vector3d (-direction) : direction;
 }
 
-/** \brief Returns the indices of the planes that have points, by falling number of
- * points. The moments of a plane without points say neither its mean nor its rms, so
- * that it stays. */
+/** \brief Returns whether a plane has more points than another one. Of planes with
+ * equally many, all that a move depends on decides, so that their order in the list
+ * changes nothing. */
+bool
+comesBefore (const PlaneSegment& a, const PlaneSegment& b)
+{
+  if (a.moments.count != b.moments.count)
+    return a.moments.count > b.moments.count;
+  const auto numbersOf = [] (const PlaneSegment& plane) {
+    Eigen::Matrix<double, 3, 6> numbers;
+    numbers << plane.centroid, plane.normal, plane.moments.centroid(),
+        plane.moments.covariance();
+    return numbers;
+  };
+  const auto of_a = numbersOf (a);
+  const auto of_b = numbersOf (b);
+  return std::lexicographical_compare (
+      of_a.data(), of_a.data() + of_a.size(), of_b.data(), of_b.data() + of_b.size());
+}
+
+/** \brief Returns the indices of the planes that have points, by \ref comesBefore. The
+ * moments of a plane without points say neither its mean nor its rms, so that it stays.
+ */
 std::vector<std::size_t>
 largestFirst (const std::vector<PlaneSegment>& planes)
 {
@@ -43,7 +63,7 @@ largestFirst (const std::vector<PlaneSegment>& planes)
     if (planes[i].moments.count > 0.0)
       order.push_back (i);
   std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
-    return planes[a].moments.count > planes[b].moments.count;
+    return comesBefore (planes[a], planes[b]);
   });
   return order;
 }
@@ -277,15 +297,16 @@ private:
   }
 
   /** \brief Gives the planes of a group its direction as normal, and the planes of each
-   * level a common position along it. */
+   * level a common position along it. Planes at one position stay in the order of the
+   * group: which of them comes first may decide which level it is on. */
   void
   alignGroup (const DirectionGroup& group)
   {
     std::vector<std::size_t> members = group.members;
-    std::sort (members.begin(), members.end(), [&] (std::size_t a, std::size_t b) {
-      return std::pair (positionOf (a, group), a) <
-             std::pair (positionOf (b, group), b);
-    });
+    std::stable_sort (
+        members.begin(), members.end(), [&] (std::size_t a, std::size_t b) {
+          return positionOf (a, group) < positionOf (b, group);
+        });
     const std::size_t direction_number = next_number_++;
     for (std::size_t first = 0, next = 0; first < members.size(); first = next) {
       std::vector<std::size_t> level;

@@ -3,6 +3,7 @@
 #include "scene.h"
 #include <pcl_ops/buildings/plane_regularization.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -61,6 +62,38 @@ box ()
       .add ({1, 0, 0}, {-2, 0, 1})
       .add ({-1, 0, 0}, {2, 0, 1});
   return box.add ({0, 1, 0}, {0, -2, 1});
+}
+
+/** \brief A plane of 100 points along y and z, at this x.
+ * \param[in] side 1 if its normal points along +x, -1 if along -x
+ * \param[in] rms distance of the points to it [m] */
+PlaneSegment
+uprightAt (double x, double side, double rms)
+{
+  PlaneSegment plane;
+  plane.normal = {side, 0.0, 0.0};
+  plane.centroid = {x, 0.0, 0.0};
+  const Vector3d variances (rms * rms, 1.0, 1.0);
+  plane.moments = Moments::of (100.0, plane.centroid, variances.asDiagonal());
+  return plane;
+}
+
+/** \brief Fails unless the same planes become coplanar in reverse order of planes. */
+void
+expectSameLevelsInReverse (std::vector<PlaneSegment> planes)
+{
+  PlaneRegularizationParameters any_displacement;
+  any_displacement.max_displacement = 1e3;
+  const std::vector<PlaneMove> moves =
+      regularizePlanes (planes, any_displacement).moves;
+  std::reverse (planes.begin(), planes.end());
+  std::vector<PlaneMove> reversed = regularizePlanes (planes, any_displacement).moves;
+  std::reverse (reversed.begin(), reversed.end());
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_EQ (moves[i].level == moves[j].level,
+                 reversed[i].level == reversed[j].level)
+          << i << " and " << j;
 }
 
 /** \brief Cosine of the angle between the normals. */
@@ -142,6 +175,19 @@ TEST (PlaneRegularization, KeepsPartsApartThatAreThreeTimesTheNoiseOfBothFromEac
   };
   EXPECT_TRUE (areOnOneLevel (10_mm));
   EXPECT_FALSE (areOnOneLevel (16_mm));
+}
+
+TEST (PlaneRegularization, HasTheSameLevelsInReverseOrderOfPlanes)
+{
+  // Of three planes in a row, each 10 mm behind the one before, two neighbors can
+  // become coplanar, not all three: three times the noise of two planes are 13 mm.
+  expectSameLevelsInReverse ({uprightAt (0.0, 1.0, noise),
+                              uprightAt (10_mm, 1.0, noise),
+                              uprightAt (20_mm, -1.0, noise)});
+  // Of two planes at one position, the one with more noise is near enough to the third.
+  expectSameLevelsInReverse ({uprightAt (0.0, 1.0, noise),
+                              uprightAt (16_mm, 1.0, noise),
+                              uprightAt (16_mm, 1.0, 3 * noise)});
 }
 
 TEST (PlaneRegularization, LeavesARoofOf30DegreesAsItIs)
