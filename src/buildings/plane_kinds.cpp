@@ -171,6 +171,20 @@ shapesOf (const std::vector<PlaneSegment>& planes,
   return shapes;
 }
 
+/** \brief Returns whether a plane fills a larger solid angle than another one. Of two
+ * that fill the same, as two sides of a street beside the sensor do, their normals
+ * decide, so that the order of the planes changes nothing. */
+bool
+fillsMore (const PlaneShape& a, const PlaneShape& b)
+{
+  if (a.sight.solid_angle != b.sight.solid_angle)
+    return a.sight.solid_angle > b.sight.solid_angle;
+  const Vector3d& of_a = a.normal;
+  const Vector3d& of_b = b.normal;
+  return std::lexicographical_compare (
+      of_b.data(), of_b.data() + of_b.size(), of_a.data(), of_a.data() + of_a.size());
+}
+
 /** \brief Returns the ground under a sensor that leans: the plane below the sensor with
  * the largest solid angle, which slopes by min_lean to max_lean. Returns nullptr if the
  * sensor saw no such plane, or saw much of one that is more level. */
@@ -178,22 +192,20 @@ const PlaneShape*
 leaningGround (const std::vector<PlaneShape>& shapes)
 {
   const PlaneShape* ground = nullptr;
-  double largest_solid_angle = constants.min_solid_angle_of_leaning_ground;
   for (const PlaneShape& shape : shapes) {
-    const bool may_be_ground = shape.sight.is_below &&
-                               shape.slope <= constants.max_lean &&
-                               shape.area >= constants.min_area_of_leaning_ground;
-    if (may_be_ground && shape.sight.solid_angle > largest_solid_angle) {
-      largest_solid_angle = shape.sight.solid_angle;
+    const bool may_be_ground =
+        shape.sight.is_below && shape.slope <= constants.max_lean &&
+        shape.area >= constants.min_area_of_leaning_ground &&
+        shape.sight.solid_angle > constants.min_solid_angle_of_leaning_ground;
+    if (may_be_ground && (ground == nullptr || fillsMore (shape, *ground)))
       ground = &shape;
-    }
   }
   if (ground == nullptr || ground->slope < constants.min_lean)
     return nullptr;
   const auto shows_no_lean = [&] (const PlaneShape& shape) {
     return shape.slope <= constants.max_slope_share_of_level_plane * ground->slope &&
-           shape.sight.solid_angle >=
-               constants.min_solid_angle_share_of_level_plane * largest_solid_angle;
+           shape.sight.solid_angle >= constants.min_solid_angle_share_of_level_plane *
+                                          ground->sight.solid_angle;
   };
   return std::any_of (shapes.begin(), shapes.end(), shows_no_lean) ? nullptr : ground;
 }

@@ -76,6 +76,21 @@ TEST (PlaneKinds, AreTheSameInReverseOrderOfPlanes)
   }
 }
 
+TEST (PlaneKinds, OfSlopesToBothSidesOfASensorDoNotDependOnTheirOrder)
+{
+  // Two slopes of 8.5 degrees that rise to both sides of the sensor. It is not known
+  // which way the sensor leans.
+  const auto kindsOf = [] (double first_side) {
+    Rectangles valley;
+    valley.sensor = {0, 0, 2};
+    for (const double side : {first_side, -first_side})
+      valley.add ({0, -5, 0}, {10 * side, 0, 1.5}, {0, 10, 0});
+    return valley.kindsFromSensor();
+  };
+  const Names kinds = kindsOf (1.0);
+  EXPECT_EQ (kindsOf (-1.0), (Names{kinds[1], kinds[0]}));
+}
+
 TEST (PlaneKinds, OfATopAtTheHeightOfTablesIsATable)
 {
   EXPECT_EQ (shell().level (0.72, 1.4, 0.8, 1.0, 1.0).lastKind(), "table");
