@@ -147,7 +147,8 @@ struct BuildingConstants {
   double max_beside_outline = 4.0;
   /** \brief Smallest area of planes that count beside an outline. */
   double min_area_beside_outline = 2.0;
-  /** \brief Number of samples along an outline. */
+  /** \brief Number of samples along an outline, but for rounding it to whole numbers on
+   * each side. */
   std::size_t samples_of_outline = 32;
   /** \brief A plane continues another one if their heights differ by less than
    * same_height, and their normals by less than 20 degrees, which has this cosine. */

@@ -67,23 +67,32 @@ neighborsOf (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all
   return neighbors;
 }
 
-/** \brief Returns positions along an outline, in even steps. */
-std::vector<Vector3d>
+/** \brief A position on an outline, and the length of the outline around it for which
+ * it stands [m]. */
+struct OutlineSample {
+  Vector3d position;
+  double length;
+};
+
+/** \brief Sums of these lengths that differ by less are equal [m]. Chosen by hand. */
+constexpr double rounding_of_sums = 1e-6;
+
+/** \brief Returns samples of an outline, in even steps on each side, so that they are
+ * the same whichever corner comes first. */
+std::vector<OutlineSample>
 samplesAlong (const std::vector<Vector3d>& hull)
 {
   double length = 0.0;
   for (std::size_t i = 0; i < hull.size(); ++i)
     length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
-  std::vector<Vector3d> samples;
   const double step = length / static_cast<double> (constants.samples_of_outline);
-  double next = 0.5 * step; // distance of the next sample from corner i [m]
+  std::vector<OutlineSample> samples;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vector3d side = hull[(i + 1) % hull.size()] - hull[i];
     const double side_length = side.norm();
-    for (; next < side_length && samples.size() < constants.samples_of_outline;
-         next += step)
-      samples.push_back (hull[i] + next / side_length * side);
-    next -= side_length;
+    const int steps = std::max (1, static_cast<int> (std::lround (side_length / step)));
+    for (int j = 0; j < steps; ++j)
+      samples.push_back ({hull[i] + (j + 0.5) / steps * side, side_length / steps});
   }
   return samples;
 }
@@ -112,11 +121,11 @@ bool
 isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
 {
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
-  // Numbers of samples: like a roof, and like the ground for either reason.
-  int over_drops = 0;
-  int continued = 0;
-  int below_slopes = 0;
-  for (const Vector3d& position : samplesAlong (plane.hull)) {
+  // Lengths of the outline: like a roof, and like the ground for either reason [m].
+  double over_drops = 0.0;
+  double continued = 0.0;
+  double below_slopes = 0.0;
+  for (const auto& [position, length] : samplesAlong (plane.hull)) {
     bool is_over_drop = false;
     bool is_continued = false;
     bool is_below_slope = false;
@@ -131,11 +140,11 @@ isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& 
                                           constants.min_cosine_of_same_slope);
       is_below_slope = is_below_slope || risesAbove (position, other);
     }
-    over_drops += is_over_drop ? 1 : 0;
-    continued += is_continued && !is_over_drop ? 1 : 0;
-    below_slopes += is_below_slope && !is_over_drop ? 1 : 0;
+    over_drops += is_over_drop ? length : 0.0;
+    continued += is_continued && !is_over_drop ? length : 0.0;
+    below_slopes += is_below_slope && !is_over_drop ? length : 0.0;
   }
-  return 2 * (continued + below_slopes) > over_drops;
+  return 2.0 * (continued + below_slopes) > over_drops + rounding_of_sums;
 }
 
 bool
@@ -144,7 +153,6 @@ isLowest (const PlaneFromAbove& plane,
           double min_drop)
 {
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
-  const std::vector<Vector3d> samples = samplesAlong (plane.hull);
   const auto is_over_other = [&] (const Vector3d& sample) {
     // Halfway to the center: near its outline a plane may overhang others.
     const Vector3d position = 0.5 * (plane.center + sample);
@@ -154,9 +162,14 @@ isLowest (const PlaneFromAbove& plane,
                  position.z() - heightAt (other, position) >= min_drop;
         });
   };
-  const auto over_others =
-      std::count_if (samples.begin(), samples.end(), is_over_other);
-  return 2 * static_cast<std::size_t> (over_others) < samples.size();
+  // Lengths of the outline [m].
+  double whole = 0.0;
+  double over_others = 0.0;
+  for (const auto& [position, length] : samplesAlong (plane.hull)) {
+    whole += length;
+    over_others += is_over_other (position) ? length : 0.0;
+  }
+  return 2.0 * over_others < whole - rounding_of_sums;
 }
 
 } // namespace pcl_ops::internal::buildings

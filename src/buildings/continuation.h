@@ -23,8 +23,8 @@ struct PlaneFromAbove {
  * its outline decide. Where another plane lies far below a sample, the plane is like a
  * roof. Elsewhere it is like the ground if another plane continues it at nearly its
  * height and slope, or lies far above the sample, as the slope over a terrace does. The
- * plane is ground if more than half as many samples are like the ground as like a roof;
- * a sample that is like the ground for both reasons counts twice.
+ * plane is ground if more than half as much of the outline is like the ground as like a
+ * roof; what is like the ground for both reasons counts twice.
  * \param[in] plane an element of \p all, not a copy: it is recognized by its address */
 bool
 isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);

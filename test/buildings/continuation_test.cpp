@@ -4,6 +4,7 @@
 
 #include "buildings/continuation.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace pcl_ops::internal::buildings;
@@ -133,6 +134,20 @@ TEST (Continuation, IsTheSameInEitherOrderOfCorners)
     if (is_reversed)
       std::reverse (ground.hull.begin(), ground.hull.end());
     EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 5, 10, 10), ground}));
+  }
+}
+
+TEST (Continuation, IsTheSameWhicheverCornerComesFirst)
+{
+  // A roof of 10 m x 7 m beside a drop, and near one end a plane that continues it.
+  std::vector<PlaneFromAbove> planes = {rectangle (0, 0, 5, 10, 7),
+                                        rectangle (-20, -10, 0, 20, 30),
+                                        rectangle (12, 4, 5, 10, 10)};
+  std::vector<Vector3d>& hull = planes.front().hull;
+  const bool is_ground = isPartOfGround (planes.front(), planes);
+  for (std::size_t corner = 1; corner < hull.size(); ++corner) {
+    std::rotate (hull.begin(), hull.begin() + 1, hull.end());
+    EXPECT_EQ (isPartOfGround (planes.front(), planes), is_ground) << corner;
   }
 }
 
