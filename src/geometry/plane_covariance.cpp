@@ -16,8 +16,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** \brief Indices of a square block of the plane along both axes. */
-using Block = std::pair<int, int>;
+/** \brief Indices of a square block of the plane along both axes: whole numbers. They
+ * are no integers, as blocks of far inliers have indices beyond these. */
+using Block = std::pair<double, double>;
 
 /** \brief For each block with inliers the sum of (s, t, 1) h over these, with their
  * coordinates s and t in the plane and their height h over it [m]. */
@@ -44,7 +45,7 @@ blockSums (const CloudView& cloud,
     if (!offset.allFinite())
       continue;
     const Eigen::Vector2d s_and_t = axes.transpose() * offset;
-    const Eigen::Array2i block = (s_and_t / side).array().floor().cast<int>();
+    const Eigen::Array2d block = (s_and_t / side).array().floor();
     Vector3d& sum =
         sums.try_emplace ({block.x(), block.y()}, Vector3d::Zero()).first->second;
     sum += plane.normal.dot (offset) * Vector3d (s_and_t.x(), s_and_t.y(), 1.0);

@@ -129,6 +129,25 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
       correlated (2, 2) / independent (2, 2), measured_factor * measured_factor, 1.0);
 }
 
+TEST (PlaneCovariance, TellsInliersApartThatAreFarFromThePlane)
+{
+  // The moments are those of a board of some meters. The inliers are thousands of
+  // kilometers away on four sides of it, which tell four errors: enough for three
+  // numbers.
+  PlaneSegment plane;
+  for (const double x : {2.0, -2.0})
+    for (const double y : {1.0, -1.0})
+      plane.moments.add (x, y, 0.05 * x * y);
+  plane.normal = Eigen::Vector3d::UnitZ();
+  constexpr float far = 1e10f;
+  Cloud cloud;
+  for (const float x : {far, -far})
+    for (const float y : {far, -far})
+      cloud.emplace_back (x, y, x > y ? 0.1f : -0.1f);
+  plane.inliers = upTo<pcl::Indices> (cloud.size());
+  EXPECT_TRUE (planeCovariance (cloud, plane));
+}
+
 TEST (PlaneCovariance, IsNoneOfANormalWithinTheSurface)
 {
   RandomGenerator generator (seedOfTest());
