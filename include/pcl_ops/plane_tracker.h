@@ -58,7 +58,9 @@ public:
    * p there. Only the motion since the last frame is used, so that poses may drift. If
    * the sensor does not move, all poses are equal
    * \return the number of each plane, all different; planes that were not seen before
-   * get new numbers, in the order of \p planes
+   * get new numbers, in the order of \p planes. Planes whose points span none, as
+   * points on a line, have no extent by which to know them again (\ref matchPlanes):
+   * they get new numbers in each frame, and are forgotten with the next one
    * \throw std::invalid_argument if the pose is not finite */
   std::vector<std::uint32_t>
   track (const std::vector<PlaneSegment>& planes, const Eigen::Isometry3d& pose);

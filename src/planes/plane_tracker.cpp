@@ -74,6 +74,9 @@ PlaneTracker::PlaneTracker (const PlaneMatchingParameters& parameters,
 bool
 PlaneTracker::isForgotten (const TrackedPlane& tracked) const
 {
+  // No frame can match it: it would be known forever, and new in each frame.
+  if (tracked.last_seen < frames_ && !internal::patchOf (tracked.plane))
+    return true;
   if (memory_ && frames_ - tracked.last_seen > *memory_)
     return true;
   if (!max_distance_ || tracked.extent.hull.empty())

@@ -401,6 +401,22 @@ TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
       << extent.center.transpose();
 }
 
+TEST (PlaneTracker, ForgetsPlanesWhosePointsSpanNoneAfterTheirFrame)
+{
+  const PlaneSegment floor = roomCorner()[0];
+  PlaneSegment line;
+  for (int i = 0; i < 10; ++i)
+    line.moments.add (i, 0, 0);
+  PlaneTracker tracker;
+  for (const std::uint32_t frame : {0u, 1u, 2u}) {
+    EXPECT_EQ (tracker.track ({floor, line}, no_motion), (Numbers{1, 2 + frame}))
+        << "no extent tells whether the line is the one seen before";
+    EXPECT_EQ (tracker.planes().size(), 2u) << "those of the frame";
+  }
+  tracker.track ({}, no_motion);
+  EXPECT_EQ (tracker.planes().size(), 1u) << "the floor";
+}
+
 TEST (PlaneTracker, KeepsAPlaneAsLongAsACornerOfItMayBeWithinTheDistance)
 {
   // A board of 4 m x 3 m reaches up to 2.5 m from its middle.
