@@ -68,6 +68,22 @@ offer (const Eigen::Vector2d& offset, std::uint32_t point, OctantNeighbors& near
     present = std::tie (squared_distance, point);
 }
 
+/** \brief Returns the mean of the points with the given indices. To the last bit it
+ * does not depend on the order of the points, which decides about the order of a sum.
+ * \param[in] chosen one or more indices, by value to be sorted here */
+Eigen::Vector2d
+meanOf (std::vector<std::uint32_t> chosen, const PlanarPoints& points)
+{
+  std::sort (chosen.begin(), chosen.end(), [&] (std::uint32_t a, std::uint32_t b) {
+    return std::make_tuple (points[a].x(), points[a].y()) <
+           std::make_tuple (points[b].x(), points[b].y());
+  });
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const std::uint32_t point : chosen)
+    mean += points[point] / static_cast<double> (chosen.size());
+  return mean;
+}
+
 } // namespace
 
 std::size_t
@@ -180,9 +196,7 @@ OctantTree::groups (unsigned threads) const
     const Node& leaf = nodes_[leaves[i]];
     Group& group = groups[i];
     group.points.assign (order_.begin() + leaf.begin, order_.begin() + leaf.end);
-    group.center.setZero();
-    for (const std::uint32_t point : group.points)
-      group.center += points_[point] / static_cast<double> (group.points.size());
+    group.center = meanOf (group.points, points_);
     group.neighbors = neighborsAt (group.center, leaves[i]);
   });
   return groups;

@@ -112,3 +112,18 @@ TEST (OctantTree, FindsTheNearestPointsOfOtherGroupsAroundTheCenterOfAGroup)
       EXPECT_EQ (group.neighbors.points[octant],
                  nearestIn (octant, group.center, group.points, points));
 }
+
+TEST (OctantTree, HasTheSameCentersOfGroupsForAnyOrderOfThePoints)
+{
+  const auto centersOf = [] (const PlanarPoints& points) {
+    std::vector<std::pair<double, double>> centers;
+    for (const OctantTree::Group& group : OctantTree (points).groups (one_thread))
+      centers.emplace_back (group.center.x(), group.center.y());
+    std::sort (centers.begin(), centers.end());
+    return centers;
+  };
+  PlanarPoints points = pointsInAStrip (1000);
+  const auto centers = centersOf (points);
+  std::reverse (points.begin(), points.end());
+  EXPECT_EQ (centersOf (points), centers);
+}
