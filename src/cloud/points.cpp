@@ -315,10 +315,15 @@ copiesOf (const pcl::Indices& index, std::vector<EqualPoints> pairs)
 Eigen::Vector3d
 originOf (const Coordinates& points, double step)
 {
-  const Eigen::Vector3d origin = medianOfSample (points);
-  if (!(step > 0.0))
-    return origin;
-  return ((origin / step).array().round() * step).matrix().cast<float>().cast<double>();
+  // The distance of two numbers may be too large for single precision. That from a
+  // number up to this one is not: it is below half the step at the largest number.
+  constexpr double largest_coordinate = 0x1p102;
+  Eigen::Array3d origin = medianOfSample (points).array();
+  if (step > 0.0)
+    origin = (origin / step).round() * step;
+  const Eigen::Array3d near_zero =
+      (origin.abs() <= largest_coordinate).select (origin, 0.0);
+  return near_zero.cast<float>().cast<double>().matrix();
 }
 
 enum class EqualPointsAre { Kept, RemovedIfMany };

@@ -114,7 +114,8 @@ medianOf (std::vector<float>& values);
  * \param[in] step of the origin [m]: each coordinate of Points::origin is a multiple of
  * it, rounded to single precision; 0: the function chooses the step
  * \return the finite points, in the order of their indices, each index once; their
- * origin is near most of them */
+ * origin is near most of them, but zero along axes where these are beyond 10^30: so no
+ * point leaves the range of single precision */
 Points
 finitePoints (const CloudView& cloud,
               unsigned threads,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using pcl_ops::CloudView;
 using namespace pcl_ops::internal;
@@ -87,6 +88,31 @@ TEST (FinitePoints, HaveTheirOriginAtAMultipleOfAStep)
   for (const double coordinate : points.origin)
     EXPECT_EQ (std::remainder (coordinate, step), 0.0);
   EXPECT_EQ (inInputFrame (points, 0), Eigen::Vector3d (17, 2, -9));
+}
+
+TEST (FinitePoints, KeepPointsNearTheLargestNumber)
+{
+  // The middle of the points rounds to 2^128, which is no number of single precision.
+  constexpr float largest = std::numeric_limits<float>::max();
+  for (const float sign : {1.0f, -1.0f}) {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (const float share : {0.96f, 0.97f, 0.98f, 0.99f, 1.0f})
+      cloud.emplace_back (sign * share * largest, 0.0f, share);
+    for (const double step : {0.0, 1e37}) {
+      const Points points = finitePoints (CloudView (cloud), one_thread, nullptr, step);
+      EXPECT_TRUE (points.origin.allFinite()) << points.origin.transpose();
+      EXPECT_EQ (points.size(), cloud.size());
+    }
+  }
+}
+
+TEST (FinitePoints, KeepPointsAtBothEndsOfTheNumbers)
+{
+  // Seen from a point at one end, those at the other end are at infinity.
+  constexpr float largest = std::numeric_limits<float>::max();
+  const auto cloud = cloudOf (
+      {{largest, 0, 0}, {largest, 1, 0}, {largest, 2, 0}, {-largest, 0, 0}, {0, 1, 0}});
+  EXPECT_EQ (finitePoints (CloudView (cloud), one_thread).size(), cloud.size());
 }
 
 TEST (FinitePoints, KnowWhereTheyCameFrom)
