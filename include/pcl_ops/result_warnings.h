@@ -60,7 +60,7 @@ struct TiledSearch {
   double sampled_share = 1.0;
   /** \brief Small clouds of points of the survey that are on no plane, around some such
    * points of the sample: all points there, or many. They tell whether a finer search
-   * finds planes there. None is empty. */
+   * finds planes there. Empty ones tell nothing. */
   std::vector<CloudView> places_on_none;
 };
 

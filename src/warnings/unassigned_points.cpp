@@ -176,18 +176,24 @@ warnOfUnassignedPoints (const LabeledSample& sample,
                         const ParameterText& text)
 {
   const double share_on_no_plane = sample.shareOnNoPlane();
-  if (share_on_no_plane < warning_constants.min_share_on_none ||
-      tiles.places_on_none.empty())
+  if (share_on_no_plane < warning_constants.min_share_on_none)
     return std::nullopt;
   OpsParameters parameters;
   parameters.surfels.voxel_size = 0.5 * tiles.voxel_size;
-  double mean_share = 0.0; // of the points of a part that are on planes
+  double sum_of_shares = 0.0; // of the points of a part that are on planes
+  std::size_t searched_parts = 0;
   for (const CloudView& part : tiles.places_on_none) {
+    if (part.size == 0)
+      continue;
     const double share = shareOnPlanes (detectPlanes (part, parameters), part.size);
     if (share < warning_constants.min_share_in_part)
       return std::nullopt;
-    mean_share += share / static_cast<double> (tiles.places_on_none.size());
+    sum_of_shares += share;
+    ++searched_parts;
   }
+  if (searched_parts == 0)
+    return std::nullopt;
+  const double mean_share = sum_of_shares / static_cast<double> (searched_parts);
   const double gained_share = mean_share * share_on_no_plane;
   if (gained_share < warning_constants.min_gained_share)
     return std::nullopt;

@@ -462,8 +462,12 @@ TEST (ResultWarnings, SayWhichVoxelSizePutsPlacesOfTilesOnPlanes)
   const std::string text = room.firstText (context);
   EXPECT_TRUE (contains (text, "67 % of the points are on no plane; for some "));
   EXPECT_TRUE (contains (text, " on planes give --voxel-size 0.2"));
+  tiles.places_on_none.insert (tiles.places_on_none.begin(), CloudView());
+  EXPECT_EQ (room.firstText (context), text) << "a place without points tells nothing";
   tiles.places_on_none.push_back (tree.cloud);
   EXPECT_EQ (room.codes (context), "") << "one of two parts of the survey is a tree";
+  tiles.places_on_none = {CloudView()};
+  EXPECT_EQ (room.codes (context), "") << "no place has points";
 }
 
 TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
