@@ -187,6 +187,9 @@ adviceOn (const KernelHoughTransformParameters& parameters,
                       ") for more of them");
 }
 
+/** \brief As many points, or fewer, give no plane. */
+constexpr std::size_t most_points_without_plane = 3;
+
 /** \brief Advice is given if a smaller share of the finite points is on planes. This
  * share and the next one are chosen by hand. */
 constexpr double min_share_on_planes = 0.05;
@@ -211,6 +214,27 @@ minShareOnPlanes (const Parameters&)
   return min_share_on_planes;
 }
 
+/** \brief Returns why so few finite points tell no plane. Points of a file may be
+ * finite, but not in single precision.
+ * \param[in] finite_points at most \ref most_points_without_plane
+ * \param[in] points number of all points */
+inline std::string
+reasonOfFewPoints (std::size_t finite_points, std::size_t points)
+{
+  if (finite_points == 0)
+    return "every point is NaN or infinite in single precision (above 3.4e38)";
+  if (points > most_points_without_plane)
+    return concatenate (
+        "all but ",
+        finite_points,
+        " of ",
+        points,
+        " points are NaN or infinite in single precision (above 3.4e38)");
+  return concatenate ("the cloud has ",
+                      most_points_without_plane,
+                      " points or fewer, which tell no plane");
+}
+
 /** \brief Returns which option to change, or why the cloud has no planes, as the end of
  * a sentence; an empty string if enough of the finite points are on planes (\ref
  * minShareOnPlanes). */
@@ -220,21 +244,17 @@ adviceFor (const Parameters& parameters,
            const XyzCloud& cloud,
            const std::vector<PlaneSegment>& planes)
 {
-  const auto finite_points =
+  const auto finite_points = static_cast<std::size_t> (
       std::count_if (cloud.begin(), cloud.end(), [] (const pcl::PointXYZ& point) {
         return pcl::isFinite (point);
-      });
+      }));
   std::size_t on_planes = 0;
   for (const PlaneSegment& plane : planes)
     on_planes += plane.inliers.size();
   if (on_planes > 0 && on_planes >= minShareOnPlanes (parameters) * finite_points)
     return "";
-  if (finite_points == 0)
-    return "every point is NaN or infinite";
-  constexpr int points_of_a_plane = 3;
-  if (finite_points <= points_of_a_plane)
-    return concatenate (
-        "the cloud has ", points_of_a_plane, " points or fewer, which tell no plane");
+  if (finite_points <= most_points_without_plane)
+    return reasonOfFewPoints (finite_points, cloud.size());
   FinitePoints points;
   for (const pcl::PointXYZ& point : cloud)
     if (pcl::isFinite (point))

@@ -61,6 +61,23 @@ TEST (Advice, IsToRaiseAVoxelSizeThatLeavesOnePointInAVoxel)
   EXPECT_EQ (adviceFor (ops, cloud, {}).find ("--voxel-size"), std::string::npos);
 }
 
+TEST (Advice, TellsACloudOfFewPointsFromOneWithFewThatSinglePrecisionHolds)
+{
+  // Coordinates of a file beyond the largest number of single precision are infinite.
+  constexpr float beyond = std::numeric_limits<float>::infinity();
+  const OrientedPointSamplingParameters ops;
+  XyzCloud cloud;
+  for (const float x : {0.0f, 1.0f})
+    cloud.emplace_back (x, 0.0f, 0.0f);
+  EXPECT_EQ (adviceFor (ops, cloud, {}),
+             "the cloud has 3 points or fewer, which tell no plane");
+  for (int i = 0; i < 8; ++i)
+    cloud.emplace_back (beyond, 0.0f, 0.0f);
+  EXPECT_EQ (adviceFor (ops, cloud, {}),
+             "all but 2 of 10 points are NaN or infinite in single precision (above "
+             "3.4e38)");
+}
+
 TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheFinitePoints)
 {
   constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -77,5 +94,6 @@ TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheFinitePoints)
     EXPECT_EQ (adviceFor (ops, cloud, {plane}).empty(), inliers >= finite_points / 20)
         << inliers;
   }
-  EXPECT_EQ (adviceFor (ops, {}, {}), "every point is NaN or infinite");
+  EXPECT_EQ (adviceFor (ops, {}, {}),
+             "every point is NaN or infinite in single precision (above 3.4e38)");
 }
