@@ -17,6 +17,8 @@
 #include <numbers/statistics.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -126,6 +128,28 @@ shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
   return cloud;
 }
 
+/** Returns what \ref sampled and \ref shifted do to clouds, as the end of the name of a
+ * data set: "-6-points-shifted-0.5_0_0"; empty if they do nothing. */
+std::string
+nameOfChange (const EvaluationPlan& plan)
+{
+  std::string name;
+  if (plan.most_points)
+    name += "-" + std::to_string (*plan.most_points) + "-points";
+  if (plan.shift.isZero())
+    return name;
+  const char* separator = "-shifted-";
+  for (const float length : plan.shift) {
+    // The shortest text that no other number has.
+    std::array<char, 32> digits{};
+    char* const begin = digits.data();
+    name += separator;
+    name.append (begin, std::to_chars (begin, begin + digits.size(), length).ptr);
+    separator = "_";
+  }
+  return name;
+}
+
 /** Returns some points of a cloud, drawn at random, with their truth.
  * \param[in] most_points number of points; a smaller cloud, and nullopt: all points */
 EvaluationCloud
@@ -188,13 +212,21 @@ struct Evaluation {
     return cloud.grows_truth ? nameOfGrownTruth() : "none";
   }
 
+  /** Returns the name of a cloud's data set in results: results of samples and of
+   * shifted clouds are not those of the data set itself. */
+  std::string
+  dataSetOf (const CloudSource& source) const
+  {
+    return source.data_set + nameOfChange (plan);
+  }
+
   /** Returns the first cells of a row, which no other row has. */
   std::string
   keyOf (const CloudSource& source,
          const std::string& truth,
          const Configuration& configuration) const
   {
-    return csvCell (source.data_set) + csvCell (source.name) + csvCell (truth) +
+    return csvCell (dataSetOf (source)) + csvCell (source.name) + csvCell (truth) +
            csvCell (configuration.name) + csvCell (std::to_string (plan.settings.seed));
   }
 
@@ -276,7 +308,7 @@ struct Evaluation {
     for (std::size_t i = 0; i < labels.size(); ++i)
       labeled[i].label = labels[i];
     const fs::path folder =
-        fs::path (plan.labels_folder) / cloud.source.data_set / cloud.source.name;
+        fs::path (plan.labels_folder) / dataSetOf (cloud.source) / cloud.source.name;
     makeFolder (folder.string());
     saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
   }

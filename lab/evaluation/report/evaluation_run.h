@@ -23,7 +23,8 @@ struct EvaluationPlan {
    * DATA_SET/CLOUD/truth.pcd. Without configurations only truth.pcd is written. Empty:
    * no files. */
   std::string labels_folder = {};
-  /** Added to every point, so that the voxel grid lies elsewhere in the cloud [m]. */
+  /** Added to every point, so that the voxel grid lies elsewhere in the cloud [m]. The
+   * data set has another name in results then, as with \ref most_points. */
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
   /** A larger cloud is sampled at random to this number of points and loses its image.
    * nullopt: clouds keep all points. */

@@ -153,9 +153,24 @@ TEST_F (EvaluationRunTest, SamplesOfCloudsHaveTheTruthOfTheirPoints)
   plan.most_points = 6;
   plan.configurations = {labeling ("all-right", 10, calls)};
   run();
-  EXPECT_TRUE (
-      contains (contentOf (file), "\nrows,a,exact,all-right,42,6,1,1,7,1,1,1,"))
+  EXPECT_TRUE (contains (contentOf (file),
+                         "\nrows-6-points,a,exact,all-right,42,6,1,1,7,1,1,1,"))
       << contentOf (file);
+}
+
+TEST_F (EvaluationRunTest, TakesNoRowsOfOtherSamplesOrPositionsForItsOwn)
+{
+  run();
+  for (const std::size_t most_points : {6, 5}) {
+    plan.most_points = most_points;
+    EXPECT_EQ (run().new_rows, 4u) << most_points;
+  }
+  plan.shift = {0.5f, 0.25f, -2.0f};
+  EXPECT_EQ (run().new_rows, 4u);
+  EXPECT_EQ (run().new_rows, 0u) << "the same once more";
+  for (const char* begin :
+       {"\nrows,a,", "\nrows-6-points,a,", "\nrows-5-points-shifted-0.5_0.25_-2,a,"})
+    EXPECT_TRUE (contains (contentOf (file), begin)) << begin;
 }
 
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
