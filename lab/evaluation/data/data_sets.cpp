@@ -160,7 +160,7 @@ scansDataSet (const std::string& name, const std::string& sizes)
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
     simulation::Simulation scan;
-    scan.points = parseNumber<double> (name, size, of_points);
+    scan.points = parseNumber<std::uint32_t> (name, size, of_points);
     clouds.push_back ({name, "scan-" + size, [scan] { return simulated (scan); }});
   }
   if (clouds.empty())
