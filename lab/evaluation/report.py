@@ -228,11 +228,23 @@ def truth_table(truths):
                  ["truth", "all", *(f"{bound} and more" for bound in SMALLEST)], rows)
 
 
+def say_of_truths(groups):
+    """Says which truth comparison.csv and the figure have where a data set has several."""
+    truths = defaultdict(list)
+    for data_set, truth in sorted(groups):
+        truths[data_set].append(truth)
+    for data_set, names in truths.items():
+        if len(names) > 1:
+            print(f"report.py: {data_set}: has the truths {', '.join(names)}; comparison.csv and "
+                  f"figure.png have {names[-1]} alone", file=sys.stderr)
+
+
 def report_results(all_rows, folder):
     """Writes and prints report.md, and writes comparison.csv and the plots of accuracies."""
     groups = defaultdict(list)
     for row in latest(all_rows):
         groups[row["data_set"], row["truth"]].append(row)
+    say_of_truths(groups)
     report, truths = "", {}
     means_of_sets = {}  # of several truths of a data set the last one by name
     for (data_set, truth), rows in sorted(groups.items()):

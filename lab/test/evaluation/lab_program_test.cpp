@@ -368,6 +368,19 @@ TEST_F (Report, CountsTruePlanesOfAGrownTruthByTheirSmallest)
   EXPECT_TRUE (contains (report, "| simulated, truth grown-k30 | " + planes + ".0 |"));
 }
 
+TEST_F (Report, SaysWhichOfSeveralTruthsOfADataSetIsCompared)
+{
+  EXPECT_FALSE (contains (report_.err, "truth")) << report_.err;
+  const std::string results = contentOf (folder_ / "results.csv");
+  std::string with_other_truth = results.substr (results.find ("\nsimulated,") + 1);
+  with_other_truth.resize (with_other_truth.find ('\n') + 1);
+  with_other_truth.replace (with_other_truth.find (",exact,"), 7, ",grown-k30,");
+  folder_.write ("results.csv", results + with_other_truth);
+  EXPECT_TRUE (contains (shell ("\"$PYTHON\" \"$REPORT\" .").err,
+                         "report.py: simulated: has the truths exact, grown-k30; "
+                         "comparison.csv and figure.png have grown-k30 alone\n"));
+}
+
 TEST_F (Report, CountsRunsThatWereStopped)
 {
   EXPECT_TRUE (contains (report_.out, "| ops-3-30 | 1 |"));
