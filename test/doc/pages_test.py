@@ -124,9 +124,14 @@ def expected_row(header, label, table):
     return [label, *cells]
 
 
+def without_fences(text):
+    """A text without its blocks of code."""
+    return re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
 def prose_of(page):
     """What a page says in sentences, one line: no code, tables and targets of links."""
-    text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    text = without_fences(page.read_text())
     lines = [line for line in text.splitlines() if not line.startswith(("|", "#", "!"))]
     text = re.sub(r"\]\([^)]*\)", "]", " ".join(lines))
     return re.sub(r"\s+", " ", text)
@@ -235,10 +240,10 @@ def smaller(command):
     return command + (" --points 5000" if "--scene" in command else " --width 160 --height 120")
 
 
-def sections_of(page):
+def sections_in(text):
     """The names of headings in links: small letters, digits and _, hyphens for blanks."""
     return [re.sub(r"[^a-z0-9_ -]", "", heading.lower()).replace(" ", "-")
-            for heading in re.findall(r"^#+ (.*)", page.read_text(), re.MULTILINE)]
+            for heading in re.findall(r"^#+ (.*)", without_fences(text), re.MULTILINE)]
 
 
 class Pages(unittest.TestCase):
@@ -291,8 +296,12 @@ class Pages(unittest.TestCase):
                                             page.read_text()):
                 target = page.parent / name if name else page
                 self.assertTrue(target.exists(), f"{page.name} links to {name}")
-                self.assertTrue(not section or section in sections_of(target),
+                self.assertTrue(not section or section in sections_in(target.read_text()),
                                 f"{page.name} links to {name}#{section}")
+
+    def test_comments_of_code_are_no_sections(self):
+        text = "# Title\n\n```sh\n# of each frame\ntrue\n```\n\n## Files, too\n"
+        self.assertEqual(sections_in(text), ["title", "files-too"])
 
     def test_main_page_and_readme_link_to_all(self):
         starts = [README, SOURCES / "src/doc/main.md"]
