@@ -68,12 +68,7 @@ crsInWkt (const std::string& text)
 std::string
 crsOf (LasFile& las)
 {
-  std::string crs;
-  if (las.geo_keys)
-    crs = crsInKeys (las.bytes (las.geo_keys->content, las.geo_keys->end));
-  if (crs.empty() && las.wkt)
-    crs = crsInWkt (las.bytes (las.wkt->content, las.wkt->end));
-  return crs;
+  return toldByCrs (las, crsInWkt, crsInKeys);
 }
 
 double

@@ -13,8 +13,8 @@ namespace pcl_ops::apps {
 std::string
 crsInWkt (const std::string& text);
 
-/** \brief Returns the reference system of x and y of a file, by its GeoTIFF keys (OGC
- * 19-008), else by its WKT: "EPSG:N", or empty if neither has a number. */
+/** \brief Returns the reference system of x and y of a file (\ref toldByCrs): "EPSG:N",
+ * or empty if neither its WKT nor its GeoTIFF keys (OGC 19-008) have a number. */
 std::string
 crsOf (LasFile& las);
 

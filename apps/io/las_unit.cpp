@@ -135,22 +135,6 @@ unitAt (const std::string& text, std::size_t key_begin)
   return name_has ("MET") ? LasUnit::Meter : LasUnit::Unknown; // meter or metre
 }
 
-/** \brief Returns the unit that the WKT of a file tells, else the one that its GeoTIFF
- * keys tell.
- * \param[in] in_wkt, in_keys return the unit in the text or the directory of keys */
-LasUnit
-firstUnitIn (LasFile& las,
-             LasUnit (*in_wkt) (const std::string& text),
-             LasUnit (*in_keys) (const std::string& directory))
-{
-  LasUnit unit = LasUnit::Unknown;
-  if (las.wkt)
-    unit = in_wkt (las.bytes (las.wkt->content, las.wkt->end));
-  if (unit == LasUnit::Unknown && las.geo_keys)
-    unit = in_keys (las.bytes (las.geo_keys->content, las.geo_keys->end));
-  return unit;
-}
-
 } // namespace
 
 std::vector<GeoKey>
@@ -193,13 +177,13 @@ heightUnitInWkt (const std::string& text)
 LasUnit
 unitOf (LasFile& las)
 {
-  return firstUnitIn (las, unitInWkt, unitInKeys);
+  return toldByCrs (las, unitInWkt, unitInKeys);
 }
 
 LasUnit
 heightUnitOf (LasFile& las)
 {
-  return firstUnitIn (las, heightUnitInWkt, heightUnitInKeys);
+  return toldByCrs (las, heightUnitInWkt, heightUnitInKeys);
 }
 
 } // namespace pcl_ops::apps

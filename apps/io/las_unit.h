@@ -4,6 +4,7 @@
 
 #include "las_file.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,29 @@ struct GeoKey {
 std::vector<GeoKey>
 geoKeysIn (const std::string& directory);
 
+/** \brief Returns what a file tells about its reference system. The bit of the header
+ * for WKT says which of two records counts (LAS 1.4): WKT, or keys of GeoTIFF. Where
+ * that one is missing or tells nothing, the other one is read.
+ * \tparam Answer Answer() means nothing
+ * \param[in] in_wkt, in_keys return what the text or the directory of keys tells */
+template <typename Answer>
+Answer
+toldByCrs (LasFile& las,
+           Answer (*in_wkt) (const std::string& text),
+           Answer (*in_keys) (const std::string& directory))
+{
+  constexpr unsigned wkt_bit = 0x10;
+  const auto told = [&las] (const std::optional<LasVlr>& record, auto in_record) {
+    return record ? in_record (las.bytes (record->content, record->end)) : Answer();
+  };
+  const bool is_wkt_first = (las.header.global_encoding & wkt_bit) != 0;
+  const Answer first =
+      is_wkt_first ? told (las.wkt, in_wkt) : told (las.geo_keys, in_keys);
+  if (first != Answer())
+    return first;
+  return is_wkt_first ? told (las.geo_keys, in_keys) : told (las.wkt, in_wkt);
+}
+
 /** \brief The unit of coordinates by the reference system of a file. */
 enum class LasUnit { Unknown, Meter, Foot, Degree };
 
@@ -41,13 +65,12 @@ unitInWkt (const std::string& text);
 LasUnit
 heightUnitInWkt (const std::string& text);
 
-/** \brief Returns the unit of x and y of a file, by its WKT, else by its GeoTIFF keys
- * (OGC 19-008). Where the keys have only the EPSG number of a system, the unit is Foot
- * (\ref isInFeet) or Unknown. */
+/** \brief Returns the unit of x and y of a file (\ref toldByCrs). Where the keys have
+ * only the EPSG number of a system, the unit is Foot (\ref isInFeet) or Unknown. */
 LasUnit
 unitOf (LasFile& las);
 
-/** \brief Returns the unit of z of a file, by its WKT, else by its GeoTIFF keys. */
+/** \brief Returns the unit of z of a file (\ref toldByCrs). */
 LasUnit
 heightUnitOf (LasFile& las);
 

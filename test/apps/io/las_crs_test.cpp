@@ -13,11 +13,12 @@ namespace {
 /** \brief The coordinate reference system that crsOf tells of a LAS with these variable
  * length records; empty if it tells none. */
 std::string
-crsOfRecords (const std::vector<std::string>& vlrs)
+crsOfRecords (const std::vector<std::string>& vlrs, std::uint16_t global_encoding = 0)
 {
   const TemporaryFolder folder;
   LasRecipe recipe;
   recipe.vlrs = vlrs;
+  recipe.global_encoding = global_encoding;
   LasFile las (folder.write ("a.las", lasBytes (recipe)));
   return crsOf (las);
 }
@@ -53,6 +54,17 @@ TEST (LasCrs, IsTheLastNumberOfATextAndZeroBytesBehindTheTextDoNotMatter)
   EXPECT_EQ (
       crsOfRecords ({lasVlr (projection_user, wkt_id, text + std::string (3, '\0'))}),
       "EPSG:25832");
+}
+
+TEST (LasCrs, IsThatOfTheTextOrOfTheKeysAsTheBitOfTheHeaderSays)
+{
+  const std::string text =
+      lasVlr (projection_user, wkt_id, R"(PROJCS["a",AUTHORITY["EPSG","2230"]])");
+  const std::string keys = geoKeys ({{projected_system, 25832}});
+  EXPECT_EQ (crsOfRecords ({text, keys}, wkt_bit), "EPSG:2230");
+  EXPECT_EQ (crsOfRecords ({text, keys}), "EPSG:25832");
+  EXPECT_EQ (crsOfRecords ({keys}, wkt_bit), "EPSG:25832") << "there is no text";
+  EXPECT_EQ (crsOfRecords ({text}), "EPSG:2230") << "there are no keys";
 }
 
 TEST (LasCrs, InTextIsTheSystemOfXAndYNotOfHeights)

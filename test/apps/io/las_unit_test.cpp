@@ -130,6 +130,20 @@ TEST_F (LasUnitTest, IsReadFromTheTextOfAFile)
   EXPECT_EQ (unitWithText (""), LasUnit::Unknown);
 }
 
+TEST_F (LasUnitTest, IsThatOfTheTextOrOfTheKeysAsTheBitOfTheHeaderSays)
+{
+  LasRecipe recipe;
+  recipe.vlrs = {
+      lasVlr (projection_user, wkt_id, "PROJCS[\"a\",UNIT[\"foot\",0.3048]]"),
+      geoKeys ({{linear_unit, unit_meter}})};
+  recipe.global_encoding = wkt_bit;
+  LasFile with_bit (folder_.write ("a.las", lasBytes (recipe)));
+  EXPECT_EQ (unitOf (with_bit), LasUnit::Foot);
+  recipe.global_encoding = 0;
+  LasFile without_bit (folder_.write ("b.las", lasBytes (recipe)));
+  EXPECT_EQ (unitOf (without_bit), LasUnit::Meter);
+}
+
 TEST_F (LasUnitTest, IsReadFromTheKeysOfAFile)
 {
   const auto unitOfProjected = [&] (std::uint16_t unit) {

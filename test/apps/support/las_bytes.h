@@ -19,6 +19,8 @@ using pcl_ops::apps::LasHeader;
 /** \brief Id of the variable length record that has the coordinate reference system as
  * WKT (well-known text). */
 inline constexpr std::uint16_t wkt_id = 2112;
+/** \brief Bit of the header that says that WKT counts, not keys of GeoTIFF. */
+inline constexpr std::uint16_t wkt_bit = 0x10;
 /** \brief Id of the record that has it as keys of GeoTIFF (\ref geoKeys). */
 inline constexpr std::uint16_t geo_keys_id = 34735;
 
@@ -58,6 +60,8 @@ struct LasRecipe {
   std::vector<std::string> extra = {};
   /** \brief Bytes between the variable length records and the points. */
   std::string gap = {};
+  /** \brief Bits of the header; \ref wkt_bit is one of them. */
+  std::uint16_t global_encoding = 0;
 };
 
 /** \brief Length of the header of a record that is not extended [byte]. */
@@ -141,6 +145,7 @@ lasBytes (const LasRecipe& recipe)
   const auto points = static_cast<std::uint32_t> (recipe.points.size());
   LasHeader header{};
   header.signature = {'L', 'A', 'S', 'F'};
+  header.global_encoding = recipe.global_encoding;
   header.system_id.fill ('s');
   header.major_version = 1;
   header.minor_version = recipe.minor_version;
