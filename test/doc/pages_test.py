@@ -372,6 +372,14 @@ class Pages(unittest.TestCase):
         for label, cells in rows:
             self.assertEqual(cells, steadiness_cells(label), label)
 
+    def test_accuracy_has_the_bounds_of_the_test_of_worst_cases(self):
+        test = (SOURCES / "lab/test/benchmark/measures_test.cpp").read_text()
+        test = test.partition("TakeBoundedMultiplesOfTheTimeAndMemoryOfARoom")[2]
+        bounds = [re.search(rf"{what}_bound = (\d+)\.0;", test)[1] for what in ("time", "memory")]
+        self.assertIn("**Worst cases.** A test holds all presets to {} times the processor time, "
+                      "and {} times the memory, of ".format(*bounds),
+                      prose_of(SOURCES / "src/doc/accuracy.md"))
+
     def test_the_drawing_of_the_stages_has_the_functions_of_the_source(self):
         drawing = (SOURCES / "src/doc/images/stages.svg").read_text()
         source = (SOURCES / "src/ops/detect_on_places.cpp").read_text()

@@ -148,14 +148,14 @@ processorTimeOf (const Configuration& detector, const Cloud::Ptr& cloud)
   return time;
 }
 
-// No cloud costs a detector more than 20 times the time or 10 times the memory of a
+// No cloud costs a detector more than 60 times the time or 10 times the memory of a
 // simulated room of as many points.
 TEST (WorstCases, TakeBoundedMultiplesOfTheTimeAndMemoryOfARoom)
 {
-  constexpr double time_bound = 20.0;
+  // Three times what the slowest takes, kht-80-800 on 10 exact planes, as other
+  // programs run beside the tests.
+  constexpr double time_bound = 60.0;
   constexpr double memory_bound = 10.0;
-  // Time bounds are three times as large, as other programs run beside the tests.
-  constexpr double disturbance = 3.0;
   const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0);
   const auto clouds = worstClouds();
   for (const auto& detector : pcl_ops::evaluation::selectConfigurations (
@@ -174,7 +174,7 @@ TEST (WorstCases, TakeBoundedMultiplesOfTheTimeAndMemoryOfARoom)
       const std::vector<Measure> measured = measureInTurns (
           {measureOn (room), measureOn (cloud)}, [] (const std::string&) {});
       EXPECT_LT (measured[1].shortest.detection,
-                 disturbance * time_bound * measured[0].shortest.detection);
+                 time_bound * measured[0].shortest.detection);
       EXPECT_LT (peakMemoryOn (cloud, detector), memory_bound * room_bytes);
     }
   }
