@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "drawing.h"
+#include <cli/text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +35,12 @@ bytesThatFollow (unsigned char first)
 
 /** \brief Returns UTF-8 text as ASCII: characters beyond ASCII become \U+XXXX, as DXF
  * has them, or a question mark where four digits are too few. Control characters become
- * blanks. */
+ * blanks, bytes that are no UTF-8 U+FFFD.
+ * \param[in] given the name of a file may be no UTF-8 */
 std::string
-asciiOf (const std::string& text)
+asciiOf (const std::string& given)
 {
+  const std::string text = validUtf8 (given);
   constexpr unsigned char last_ascii = 0x7f; // a control character, as those below ' '
   constexpr unsigned last_of_four_digits = 0xffff;
   // A byte that follows the first one of a character has six bits of its code.
@@ -53,7 +56,7 @@ asciiOf (const std::string& text)
     // The first byte has five, four or three bits of the code if one, two or three
     // bytes follow.
     unsigned code = first & (mask_of_following >> following);
-    for (int k = 0; k < following && i + 1 < text.size(); ++k)
+    for (int k = 0; k < following; ++k)
       code = code << bits_of_following |
              (static_cast<unsigned char> (text[++i]) & mask_of_following);
     ascii +=

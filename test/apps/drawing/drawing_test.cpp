@@ -37,6 +37,15 @@ TEST (Dxf, HasAQuestionMarkForACharacterOfFiveDigits)
   EXPECT_TRUE (contains (toDxf (drawingWith ("a\U0001f3e0z")), "\na?z\n"));
 }
 
+TEST (Dxf, HasAReplacementForEachByteThatIsNoUtf8)
+{
+  // The byte 0xff begins no character, 0xc3 one of two bytes, 0xed 0xa0 0x80 would be
+  // half of a pair of UTF-16.
+  EXPECT_TRUE (contains (toDxf (drawingWith ("a\xffroom")), "\na\\U+FFFDroom\n"));
+  EXPECT_TRUE (contains (toDxf (drawingWith ("a\xc3")), "\na\\U+FFFD\n"));
+  EXPECT_FALSE (contains (toDxf (drawingWith ("\xed\xa0\x80")), "\\U+D800"));
+}
+
 TEST (Dxf, HasBlanksForControlCharacters)
 {
   EXPECT_TRUE (contains (toDxf (drawingWith ("a\nb\x7f"
