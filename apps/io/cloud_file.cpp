@@ -187,14 +187,15 @@ extensionOfSignature (const std::string& start)
   return "";
 }
 
-/** \brief Whether a line is one with which an .obj may begin: a keyword and a name, or
- * a vertex, its normal or its texture as numbers behind a keyword. */
+/** \brief Whether a line is one with which an .obj may begin: names behind a keyword,
+ * or a vertex, its normal or its texture as numbers behind a keyword. */
 bool
 isLineOfObj (const std::vector<std::string_view>& words)
 {
   double number = 0.0;
-  if (words.size() == 2)
-    return words[0] == "mtllib" || words[0] == "o" || words[0] == "g";
+  for (const char* keyword : {"mtllib", "usemtl", "o", "g", "s"})
+    if (words[0] == keyword)
+      return true;
   return words.size() > 2 &&
          (words[0] == "v" || words[0] == "vn" || words[0] == "vt") &&
          numberType (pcl::PCLPointField::FLOAT64)

@@ -36,7 +36,7 @@ unitInKeys (const std::string& directory)
 {
   constexpr std::uint16_t model_type_id = 1024, geographic = 2; // id and value
   constexpr std::uint16_t projected_id = 3072, linear_unit_id = 3076;
-  constexpr std::uint16_t user_defined = 32767; // a system without a number
+  constexpr std::uint16_t undefined = 0, user_defined = 32767; // have no number
   LasUnit unit_of_system = LasUnit::Unknown;
   std::optional<LasUnit> unit;
   for (const GeoKey& key : geoKeysIn (directory)) {
@@ -45,7 +45,8 @@ unitInKeys (const std::string& directory)
     if (key.id == linear_unit_id)
       unit = lengthUnit (key.value);
     // Systems in yards, chains or kilometers are too rare for a list of their own.
-    if (key.id == projected_id && key.location == 0 && key.value != user_defined)
+    if (key.id == projected_id && key.location == 0 && key.value != undefined &&
+        key.value != user_defined)
       unit_of_system = isInFeet (key.value) ? LasUnit::Foot : LasUnit::Meter;
   }
   return unit.value_or (unit_of_system);

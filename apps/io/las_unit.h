@@ -66,7 +66,7 @@ LasUnit
 heightUnitInWkt (const std::string& text);
 
 /** \brief Returns the unit of x and y of a file (\ref toldByCrs). Where the keys have
- * only the EPSG number of a system, the unit is Foot (\ref isInFeet) or Unknown. */
+ * only the EPSG number of a system, the unit is Foot (\ref isInFeet), else Meter. */
 LasUnit
 unitOf (LasFile& las);
 

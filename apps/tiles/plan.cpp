@@ -278,7 +278,7 @@ refuseMixedUnits (const std::vector<PlannedInput>& inputs)
   if (!in_meters.empty() && !in_feet.empty())
     throw WorkError (in_feet,
                      "is in feet by its reference system and " + in_meters +
-                         " in meters; convert one of them");
+                         " in meters; convert one of them or give --meter");
 }
 
 /** \brief Whether the lengths and cells of a plan file are valid. */

@@ -76,8 +76,8 @@ declareOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
              "with --results)");
   line.add ("results NAME=FOLDER",
             [&options] (auto& text) { options.own_labels.push_back (text); })
-      .help ("labels of a detector of yours: DATA_SET/CLOUD or CLOUD .npy, .txt or "
-             ".pcd; may be given several times")
+      .help ("labels of a detector of yours: DATA_SET/CLOUD, as in the folder of "
+             "--labels, or CLOUD .npy, .txt or .pcd; may be given several times")
       .repeated();
   line.add ("jobs N", plan.jobs, from (1).upTo (256))
       .help ("clouds at a time; only 1 leaves times undisturbed (1)");

@@ -244,31 +244,36 @@ removeStale (const fs::path& file)
                      "cannot be removed (" + error.message() + "); remove it");
 }
 
-/** Refuses a file of an earlier, larger scene: it would be taken for one of this scene.
- */
-[[noreturn]] void
-refuseOfLargerScene (const fs::path& file)
-{
-  throw WorkError (
-      file.string(),
-      "would be taken for a file of this scene, which has fewer; remove it "
-      "or give another folder");
-}
-
-/** Refuses a folder with tiles of an earlier, larger town.
- * \param[in] tiles number of tiles along each side of this town */
+/** Refuses a folder with files of an earlier, larger scene: they would be taken for
+ * files of this one.
+ * \param[in] name_of_file matches the names of files, with groups for their numbers
+ * \param[in] end of the numbers in the names of this scene
+ * \throws WorkError */
 void
-refuseTilesBeyond (std::uint32_t tiles, const std::string& folder)
+refuseFilesBeyond (const std::regex& name_of_file,
+                   std::size_t end,
+                   const std::string& folder)
 {
-  const std::regex name_of_tile ("town_([0-9]{3})_([0-9]{3})\\.las");
-  std::error_code error; // where there is no folder yet, there are no tiles
+  std::set<fs::path> beyond;
+  std::error_code error; // where there is no folder yet, there are no files
   for (const fs::directory_entry& entry : fs::directory_iterator (folder, error)) {
     const std::string name = entry.path().filename().string();
-    std::smatch numbers; // all, column, row
-    if (std::regex_match (name, numbers, name_of_tile) &&
-        std::max (std::stoul (numbers[1]), std::stoul (numbers[2])) >= tiles)
-      refuseOfLargerScene (entry.path());
+    std::smatch groups; // the name, then its numbers
+    if (std::regex_match (name, groups, name_of_file) &&
+        std::any_of (
+            groups.begin() + 1, groups.end(), [end] (const std::string& group) {
+              return std::stoul (group) >= end;
+            }))
+      beyond.insert (entry.path());
   }
+  if (beyond.empty())
+    return;
+  throw WorkError (beyond.begin()->string(),
+                   beyond.size() == 1
+                       ? "is of a larger scene; remove it or give another folder"
+                       : "is one of " + std::to_string (beyond.size()) +
+                             " files of a larger scene; remove them or give another "
+                             "folder");
 }
 
 /** Writes a .las file for each tile that has points.
@@ -280,7 +285,8 @@ writeTown (const SimulationOptions& options)
   const Simulation& simulation = options.simulation;
   const Town town =
       makeTown (simulation.seed, simulation.points.value_or (1e6), options.tiles);
-  refuseTilesBeyond (town.tiles, options.output);
+  refuseFilesBeyond (
+      std::regex ("town_([0-9]{3})_([0-9]{3})\\.las"), town.tiles, options.output);
   const auto nameOf = [&town] (std::size_t i) {
     return str (boost::format ("town_%03u_%03u.las") % (i % town.tiles) %
                 (i / town.tiles));
@@ -323,10 +329,8 @@ writeFrames (const SimulationOptions& options)
     saveLabeledPcd (file, cloud);
     return cloud.size();
   };
-  std::error_code error; // of a name that no file can have; writing will report it
-  if (const fs::path next = options.inFolder (nameOf (options.frames));
-      fs::exists (next, error))
-    refuseOfLargerScene (next);
+  refuseFilesBeyond (
+      std::regex ("frame_([0-9]{3,9})\\.pcd"), options.frames, options.output);
   const std::string summary =
       writeFiles (options, options.frames, "frames", advice, nameOf, save);
   savePoses (options.inFolder ("poses.txt"),

@@ -74,7 +74,8 @@ struct OutlineSample {
   double length;
 };
 
-/** \brief Sums of these lengths that differ by less are equal [m]. Chosen by hand. */
+/** \brief Sums of these lengths that differ by less are equal [m], and so are numbers
+ * of steps. Chosen by hand. */
 constexpr double rounding_of_sums = 1e-6;
 
 /** \brief Returns samples of an outline, in even steps on each side, so that they are
@@ -90,7 +91,8 @@ samplesAlong (const std::vector<Vector3d>& hull)
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vector3d side = hull[(i + 1) % hull.size()] - hull[i];
     const double side_length = side.norm();
-    const int steps = std::max (1, static_cast<int> (std::lround (side_length / step)));
+    const int steps = std::max (
+        1, static_cast<int> (std::lround (side_length / step - rounding_of_sums)));
     for (int j = 0; j < steps; ++j)
       samples.push_back ({hull[i] + (j + 0.5) / steps * side, side_length / steps});
   }

@@ -288,7 +288,7 @@ removeDuplicates (const FirstAtPlace& first_at_place, Points& points)
 }
 
 // Makes Points::copies: looks up each first point in Points::index.
-// \param[in] index ascending
+// \param[in] index ascending, with all first points
 std::vector<Copy>
 copiesOf (const pcl::Indices& index, std::vector<EqualPoints> pairs)
 {
@@ -298,10 +298,8 @@ copiesOf (const pcl::Indices& index, std::vector<EqualPoints> pairs)
   auto found = index.begin();
   for (const EqualPoints& pair : pairs) {
     found = std::lower_bound (found, index.end(), pair.first);
-    // A first point is missing if its local coordinates overflowed to infinity.
-    if (found != index.end() && *found == pair.first)
-      copies.push_back (
-          {pair.duplicate, static_cast<std::uint32_t> (found - index.begin())});
+    copies.push_back (
+        {pair.duplicate, static_cast<std::uint32_t> (found - index.begin())});
   }
   std::sort (copies.begin(), copies.end(), [] (const Copy& one, const Copy& other) {
     return one.index < other.index;

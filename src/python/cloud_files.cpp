@@ -57,8 +57,7 @@ doFileWork (PyObject* exception, const Work& work)
     pcl_ops::python::whileOthersRun (work);
   }
   catch (const ProgramError& error) {
-    PyErr_SetString (exception, error.what());
-    throw py::error_already_set();
+    pcl_ops::python::raise (exception, error.what());
   }
 }
 

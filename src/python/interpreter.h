@@ -39,4 +39,16 @@ whileOthersRun (const Work& work)
     std::rethrow_exception (exception);
 }
 
+/** \brief Raises an exception of Python.
+ * \param[in] text may have the name of a file, which need not be UTF-8 */
+[[noreturn]] inline void
+raise (PyObject* exception, const char* text)
+{
+  if (PyObject* const message = PyUnicode_DecodeFSDefault (text)) {
+    PyErr_SetObject (exception, message);
+    Py_DECREF (message);
+  }
+  throw pybind11::error_already_set();
+}
+
 } // namespace pcl_ops::python

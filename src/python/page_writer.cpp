@@ -45,8 +45,7 @@ save (const std::string& file,
     });
   }
   catch (const pcl_ops::apps::ProgramError& error) {
-    PyErr_SetString (PyExc_OSError, error.what());
-    throw py::error_already_set();
+    pcl_ops::python::raise (PyExc_OSError, error.what());
   }
 }
 

@@ -45,16 +45,16 @@ searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
 
 /** \brief Share of all points that are on large planes.
  * \param[in] points number of finite points of the cloud
- * \param[in] least_share of all points that a large plane has */
+ * \param[in] min_share of all points that a large plane has */
 double
 shareOnPlanes (const std::vector<PlaneSegment>& planes,
                std::size_t points,
-               double least_share = warning_constants.min_plane_share)
+               double min_share = warning_constants.min_plane_share)
 {
   const double all = static_cast<double> (points);
   double on_planes = 0.0;
   for (const PlaneSegment& plane : planes)
-    if (plane.moments.count >= least_share * all)
+    if (plane.moments.count >= min_share * all)
       on_planes += plane.moments.count;
   return on_planes / all;
 }
@@ -157,9 +157,11 @@ warnOfUnassignedPoints (const CloudView& cloud,
   const double share_before = shareOnPlanes (planes, sample.finite_points);
   for (const OtherSearch& other : searches) {
     const std::vector<PlaneSegment> found = detectPlanes (cloud, other.parameters);
+    const double share_on_all = shareOnPlanes (found, sample.finite_points, 0.0);
     if (shareOnPlanes (found, sample.finite_points) >=
-        share_before + warning_constants.min_gained_share) {
-      const double share_on_all = shareOnPlanes (found, sample.finite_points, 0.0);
+            share_before + warning_constants.min_gained_share &&
+        share_on_all >=
+            1.0 - sample.shareOnNoPlane() + warning_constants.min_gained_share) {
       return ResultWarning{"unassigned-points",
                            percentText (sample.shareOnNoPlane()) +
                                " of the points are on no plane; for " +

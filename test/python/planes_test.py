@@ -334,6 +334,8 @@ class Maps(unittest.TestCase):
             ("map.csv", [1], {}, TypeError, "planes: not a list"),
             ("none/map.csv", planes, {}, OSError,
              "none/map.csv: its folder does not exist; create it"),
+            ("map.csv\0.json", planes, {}, ValueError, "path: .* has a NUL"),
+            (os.fsdecode(b"W\xe4nde/map.csv"), planes, {}, OSError, "its folder does not exist"),
         ):
             with self.subTest(said), self.assertRaisesRegex(error, said):
                 pcl_ops.write_planes(self.folder / name, some, **given)

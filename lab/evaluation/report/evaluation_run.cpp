@@ -361,7 +361,7 @@ struct Evaluation {
     RunSettings settings = plan.settings;
     settings.up = cloud.loaded.up;
     settings.image = cloud.loaded.image;
-    settings.data_set = cloud.source.data_set;
+    settings.data_set = dataSetOf (cloud.source);
     settings.cloud_name = cloud.source.name;
     const std::optional<DetectorRun> run =
         runLimited (configuration, cloud.loaded.cloud, settings, plan.time_limit);

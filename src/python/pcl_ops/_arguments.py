@@ -5,6 +5,7 @@
 import difflib
 import inspect
 import numbers
+import os
 import sys
 from typing import Any, Callable, Dict, Iterable, Literal, Sequence, Tuple, Union
 
@@ -29,6 +30,14 @@ def camera_up() -> Tuple[float, float, float]:
     There x points to the right, y down, z ahead: segment(points, up="camera") means it.
     """
     return 0.0, -1.0, 0.0
+
+
+def file_name(path: Union[str, bytes, "os.PathLike[str]"]) -> bytes:
+    """The name of a file for the extension; raises ValueError if it has a NUL, which would end it there."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError(f"path: {name!r:.80} has a NUL; give another name")
+    return name
 
 
 def _vector_of(up: Any) -> Any:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Points, array_of, checked_flag, checked_number, finite_vector, plane_numbers, points_array
+from ._arguments import Points, array_of, checked_flag, checked_number, file_name, finite_vector, plane_numbers, points_array
 from ._planes import ResultWarning
 
 # Names of NumPy's types by the datatypes of sensor_msgs/PointField; the last two, 64-bit
@@ -72,7 +72,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
         raise ValueError(f"path: has to be the name of a file, not {path!r:.80}")
     with open(path, "rb"):  # raises OSError if the file cannot be opened
         pass
-    file = _files.load(os.fsencode(path))
+    file = _files.load(file_name(path))
     _warn_of_unit(file.unit)
     return from_message(file)._replace(
         viewpoint=np.array(file.viewpoint, float), orientation=file.orientation,
@@ -119,7 +119,7 @@ def write(
     file_distances = _distances_of_file(distances, cloud)
     if len(file_distances) and not len(file_labels):
         raise ValueError("distances: are those to planes; give labels, too")
-    file = os.fsencode(path)
+    file = file_name(path)
     if _is_las(path):
         if cloud.source is None:
             raise ValueError(f"{os.fsdecode(path)}: is LAS, which the cloud was not read from; "

@@ -10,7 +10,8 @@ from typing import Any, Dict, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arguments import Points, Up, Vector, checked_number, finite_vector, plane_numbers, points_array, single_precision
+from ._arguments import (Points, Up, Vector, checked_number, file_name, finite_vector, plane_numbers, points_array,
+                         single_precision)
 from ._planes import Plane, Planes, find_plane_edges, plane_list, up_of
 from ._segmentation import is_seen_from
 
@@ -85,7 +86,8 @@ def write_html(
 
     Raises OSError if the file cannot be written; then an existing file stays as it was.
     """
-    name = os.fsdecode(path)
+    file = file_name(path)
+    name = os.fsdecode(file)
     if os.path.splitext(name)[1].lower() != ".html":
         raise ValueError(f"{name}: has an unknown extension; give .html")
     planes = plane_list("planes", planes)
@@ -108,5 +110,5 @@ def write_html(
     from . import _page  # here, so that only those who write a page load it
 
     single, origin = single_precision(array)
-    _page.save(os.fsencode(path), json.dumps(description, allow_nan=False), single, origin, numbers, len(planes),
+    _page.save(file, json.dumps(description, allow_nan=False), single, origin, numbers, len(planes),
                max_shown)

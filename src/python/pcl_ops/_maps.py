@@ -13,7 +13,7 @@ from typing import Any, Dict, List, Literal, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arguments import Up, array_of
+from ._arguments import Up, array_of, file_name
 from ._geopackage import geopackage_of
 from ._planes import TABLE_COLUMNS, Plane, Planes, plane_list, up_of
 
@@ -42,7 +42,8 @@ def write_planes(
     Raises OSError if the file cannot be written, ValueError or TypeError if the arguments do
     not fit.
     """
-    name = os.fsdecode(path)
+    file = file_name(path)
+    name = os.fsdecode(file)
     listed = plane_list("planes", planes)
     upwards = up_of(listed, up)
     ids = _ids(labels, len(listed))
@@ -71,7 +72,7 @@ def write_planes(
         raise ValueError(f"{name}: has an unknown extension; give .geojson, .gpkg, .csv or .json")
     from . import _files  # here, so that only those who write a file load it
 
-    _files.replace(os.fsencode(path), content)
+    _files.replace(file, content)
 
 
 def _row(plane_id: int, plane: Plane, up: NDArray[np.float64]) -> Dict[str, Any]:

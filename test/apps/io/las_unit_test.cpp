@@ -160,11 +160,12 @@ TEST_F (LasUnitTest, IsReadFromTheKeysOfAFile)
 
 TEST_F (LasUnitTest, IsThatOfANumberedSystemWhereNoKeyTellsTheUnit)
 {
-  constexpr std::uint16_t utm_zone_32 = 32632, user_defined = 32767;
+  constexpr std::uint16_t utm_zone_32 = 32632, undefined = 0, user_defined = 32767;
   EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet}}), LasUnit::Foot);
   EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet},
                             {linear_unit, unit_meter}}),
              LasUnit::Meter);
   EXPECT_EQ (unitWithKeys ({{projected_system, utm_zone_32}}), LasUnit::Meter);
-  EXPECT_EQ (unitWithKeys ({{projected_system, user_defined}}), LasUnit::Unknown);
+  for (const std::uint16_t no_number : {undefined, user_defined})
+    EXPECT_EQ (unitWithKeys ({{projected_system, no_number}}), LasUnit::Unknown);
 }

@@ -61,6 +61,7 @@ protected:
         {"half.npy", "\x93NUMPY\1"},
         {"half.off", "OFF\n3 1 0\n1 2 3\n"},
         {"half.obj", "v 1 2 3\nv 4 5"},
+        {"named.obj", "o my house\nv 1 2 3\n"},
         {"short.xyz", "1 2 3\n4 5\n"},
         {"packed.xyz", "\x1f\x8b\x08"},
         {"poses.txt", "0 0 0 0 0 0 0 1\n"},
