@@ -234,6 +234,23 @@ TEST (WallFaces, AreNoLeavesLessThan2CentimetersBehindOrMoreThan45)
   EXPECT_EQ (wallsWithLeaf (47_cm), 2u);
 }
 
+TEST (WallFaces, AreLeavesByTheirMiddleThoughOneEndIsSeenBetter)
+{
+  PlanPoints points, of_leaf;
+  addUpright (0.0, 0.0, 1_m, points);
+  addUpright (0.0, 2_m, 6_m, points);
+  // A leaf that is ajar: at x = 1 m it is in the front of the wall, at 2 m 6 cm behind
+  // it. Two thirds of its points are on the last 10 cm.
+  for (double x = 1_m; x < 2.0; x += 1_cm) {
+    const double step = x < 1.9 ? 5_cm : 0.0025;
+    for (double z = 0.0; z < 2.0; z += step)
+      of_leaf.emplace_back (x, -0.06 * (x - 1_m), z);
+  }
+  const std::vector<WallFace> walls = withoutRecesses (
+      {faceAlongX (points, 0), faceOf ({0.06, 1, 0}, of_leaf, 1, height_of_cut)}, {});
+  EXPECT_EQ (walls.size(), 1u) << "the middle of the leaf is 3 cm behind the wall";
+}
+
 TEST (WallFaces, AreNoLeavesIfWallsThatFaceThemStandAtBothEndsOfTheGap)
 {
   // The number of faces along x among a wall with a gap from x = 1 m to 2 m, a face
