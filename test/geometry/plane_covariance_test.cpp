@@ -148,6 +148,19 @@ TEST (PlaneCovariance, TellsInliersApartThatAreFarFromThePlane)
   EXPECT_TRUE (planeCovariance (cloud, plane));
 }
 
+TEST (PlaneCovariance, OfACloudLeavesOutInliersThatAreNotFinite)
+{
+  RandomGenerator generator (seedOfTest());
+  Cloud cloud = drawBoard (300, 1_cm, generator);
+  PlaneSegment plane = fittedTo (cloud);
+  const Eigen::Matrix3d matrix = planeCovariance (cloud, plane)->matrix;
+  for (const float missing : {NAN, INFINITY}) {
+    plane.inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+    cloud.emplace_back (10.0f, missing, 1.0f);
+  }
+  EXPECT_EQ (planeCovariance (cloud, plane)->matrix, matrix);
+}
+
 TEST (PlaneCovariance, IsNoneOfANormalWithinTheSurface)
 {
   RandomGenerator generator (seedOfTest());
