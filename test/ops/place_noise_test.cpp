@@ -93,6 +93,37 @@ TEST (PlaceNoise, IsNoneOfExactPoints)
   EXPECT_LT (medianNoise (PlaceScene (drawnOn ({square_of_ground}, 2_cm, 0.0))), 1e-6);
 }
 
+TEST (ChooseSupports, TakesTheFlattestIfAFewOfTheNearestAreInASecondLayer)
+{
+  // Whether the support chosen for the first of 24 points is the larger one. The points
+  // are on a wall, but for so many that are 1 cm behind it. The noise explains neither
+  // support; the larger one is flat.
+  const auto takesFlattest = [] (std::size_t points_behind) {
+    Places places;
+    constexpr std::size_t points = 24;
+    for (std::size_t i = 0; i < points; ++i) {
+      const bool is_behind = i >= points - points_behind;
+      places.position.emplace_back (
+          1_cm * (i % 6), 1_cm * (i / 6), is_behind ? 1_cm : 0);
+      for (std::uint32_t other = 0; other < points; ++other)
+        if (other != i)
+          places.nearest.push_back (other);
+    }
+    places.neighbors_per_place = points - 1;
+    const Support small{Eigen::Vector3f::UnitX(), 1e-2f, 5e-2f, false};
+    const Support large{Eigen::Vector3f::UnitZ(), 1e-2f, 50e-2f, true};
+    places.supports = {std::vector<Support> (points, small),
+                       std::vector<Support> (points, large)};
+    PlaceNoise noise;
+    noise.of_place.assign (points, 1e-3f);
+    return chooseSupports (places, noise, one_thread).normal[0].z() == 1.0;
+  };
+  EXPECT_FALSE (takesFlattest (0));
+  EXPECT_FALSE (takesFlattest (2)) << "apart from the others by chance";
+  EXPECT_TRUE (takesFlattest (4));
+  EXPECT_TRUE (takesFlattest (12));
+}
+
 TEST (ChooseSupports, TakesTheLargestThatTheNoiseExplains)
 {
   // Beside the edge of two walls supports are smaller than in the middle of one.

@@ -79,6 +79,32 @@ TEST (Places, OnLevelsScatterByTheVarianceOfTheirStep)
   EXPECT_GT (medianOf (scatter), 0.9 * deviation_within_step);
 }
 
+TEST (Places, OnLevelsScatterAlikeHoweverTheyAreTurned)
+{
+  // A slanted wall whose depths are rounded to steps of 4 cm, upright and in a frame in
+  // which the direction of depth has three different components.
+  Eigen::Matrix3d turn;
+  turn << 6, 3, 2, -3, 2, 6, 2, -6, 3;
+  turn /= 7.0;
+  Coordinates upright =
+      drawnOn ({{{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}}}, 1_cm, 0.0);
+  Coordinates turned;
+  for (std::size_t i = 0; i < upright.size(); ++i) {
+    upright.z[i] = static_cast<float> (4_cm * std::round (upright.z[i] / 4_cm));
+    const pcl::PointXYZ point = toPoint (turn * upright[i]);
+    turned.add (point.x, point.y, point.z);
+  }
+  const auto medianScatterOf = [] (const Coordinates& points) {
+    const PlaceScene scene (points);
+    std::vector<float> scatter;
+    for (const Support& support : scene.places.supports[0])
+      scatter.push_back (support.scatter);
+    return medianOf (scatter);
+  };
+  const double scatter = medianScatterOf (upright);
+  EXPECT_NEAR (medianScatterOf (turned), scatter, 3_percent * scatter);
+}
+
 TEST (Places, AreAsDenseAsTheirPoints)
 {
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 0.0));

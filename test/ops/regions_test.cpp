@@ -232,6 +232,33 @@ TEST (JoinOverGaps, LeavesAStepOfThreeNoises)
   }
 }
 
+TEST (JoinOverGaps, MakesOneOfAGroundAndTheNearerOfTwoThatItContinues)
+{
+  // Three grounds from left to right, 6 mm, 0 and 3 mm high with a noise of 2 mm. The
+  // right one continues both others, which do not continue each other.
+  const auto regionOf = [] (const Surface& surface, int columns) {
+    Region region;
+    constexpr int rows = 60;
+    for (int i = 0; i < columns; ++i)
+      for (int j = 0; j < rows; ++j) {
+        const double offset = (i + j) % 2 == 0 ? 2_mm : -2_mm;
+        const Eigen::Vector3d point =
+            surface.at ((i + 0.5) / columns, (j + 0.5) / rows);
+        region.moments.add (point.x(), point.y(), point.z() + offset);
+      }
+    region.refit();
+    region.scatter = region.noise = 2_mm;
+    return region;
+  };
+  Regions regions;
+  regions.list = {regionOf ({{-2.3, 0, 6_mm}, {2, 0, 0}, {0, 3, 0}}, 40),
+                  regionOf ({{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}, 60),
+                  regionOf ({{2.3, 0, 3_mm}, {1, 0, 0}, {0, 3, 0}}, 20)};
+  regions.of_place = {0, 1, 2};
+  joinOverGaps (default_joins, regions);
+  EXPECT_EQ (regions.of_place, (Labels{0, 1, 1}));
+}
+
 TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
 {
   Surface beyond = ground_beyond_gap; // turned by 0.2 degrees about its middle
