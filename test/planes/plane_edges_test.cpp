@@ -187,6 +187,18 @@ TEST (PlaneEdges, GoOnWhereAWallMeetsTheMiddleOfAnother)
   EXPECT_LT ((found.corners[0].position - Vector3d (2, 0, 0)).norm(), 1e-6);
 }
 
+TEST (PlaneEdges, EndAtTheNearerOfTwoCornersWithinTheGap)
+{
+  // The wall along x ends at a wall at x = 4 m; another one meets it at x = 2.5 m.
+  Scene scene;
+  scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m);
+  scene.wall ({4, 0}, {4, 3}, 2.5_m).wall ({2.5, 0}, {2.5, 3}, 2.5_m);
+  const PlaneEdges found =
+      edgesOf (scene.build(), parametersWith (&PlaneEdgeParameters::max_gap, 2_m));
+  ASSERT_EQ (found.corners.size(), 2u);
+  expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 5_cm);
+}
+
 TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
 {
   // The second wall ends 1 m before the first one, but from 1.5 m up it reaches the

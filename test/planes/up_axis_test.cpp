@@ -168,6 +168,26 @@ TEST (UpAxis, CannotBeToldInTheCornerOfACube)
       << "a third for each of three directions";
 }
 
+TEST (UpAxis, IsWhereFewPointsAreHighIfAsManyPlanesFaceUpAsDown)
+{
+  // A yard of 4 m x 4 m seen from its middle, the mean of all points: the ground has
+  // twice the points of two roofs above it. Their weights are the roots of the points,
+  // as many on both sides. The middle of the walls is at the height of the sensor.
+  const Vector3d middle (2_m, 2_m, 1_m);
+  std::vector<PlaneSegment> planes;
+  for (const Surface& surface : {Surface{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
+                                 Surface{{0, 0, 3}, {2, 0, 0}, {0, 2, 0}},
+                                 Surface{{2, 2, 3}, {2, 0, 0}, {0, 2, 0}},
+                                 Surface{{0, 0, 0}, {0, 4, 0}, {0, 0, 2}},
+                                 Surface{{4, 0, 0}, {0, 4, 0}, {0, 0, 2}}})
+    planes.push_back (seenFrom (middle, surface));
+  UpAxisParameters parameters;
+  parameters.min_confidence = 0.0;
+  const UpAxis found = estimateUpAxis (planes, middle, parameters).value();
+  expectUp (found, 0.1_deg);
+  EXPECT_GT (found.confidence, 0.6) << "that of down is less";
+}
+
 TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
 {
   const Vector3d middle (3_m, 2_m, 1.3_m);
