@@ -138,3 +138,9 @@ TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
   const VoxelGrid grid = voxelizeByNoise (points, low_rate, one_thread).coarse;
   EXPECT_GT (grid.voxel_size, 10_cm);
 }
+
+TEST (WantedVoxels, AreTwoThirdsOfTheSamplesOf300000Points)
+{
+  const double samples = 0.03 * 300'000;
+  EXPECT_NEAR (wantedVoxels (300'000, 0.03, 1.0), 2.0 / 3.0 * samples, 0.3 * samples);
+}
