@@ -333,6 +333,20 @@ TEST (ResultWarnings, SayThatLabelsAreMixedPointByPoint)
       contains (text, "planes 1 and 2; for one plane give --merge-distance 0.00"));
 }
 
+TEST (ResultWarnings, AreNoneOfLabelsMixedBetweenPlanesAtMoreThan15Degrees)
+{
+  // Two boards of 1 m x 1 m that cross in their middle, with a noise of 4 cm.
+  const auto codesWithAngle = [] (double angle) {
+    const double x = std::cos (angle), z = std::sin (angle);
+    return LabeledPlaneScene()
+        .add ({{-0.5, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 2000, 4_cm)
+        .add ({{-0.5 * x, 0, -0.5 * z}, {x, 0, z}, {0, 1, 0}}, 2000, 4_cm)
+        .codes();
+  };
+  EXPECT_EQ (codesWithAngle (12_deg), "mixed-labels");
+  EXPECT_EQ (codesWithAngle (18_deg), "");
+}
+
 TEST (ResultWarnings, AreNoneOfPlanesThatMeet)
 {
   LabeledPlaneScene room = roomOfTwoPlanes();
@@ -468,6 +482,28 @@ TEST (ResultWarnings, SayWhichVoxelSizePutsPlacesOfTilesOnPlanes)
   EXPECT_EQ (room.codes (context), "") << "one of two parts of the survey is a tree";
   tiles.places_on_none = {CloudView()};
   EXPECT_EQ (room.codes (context), "") << "no place has points";
+}
+
+TEST (ResultWarnings, SayWhichShareOfPointsASmallerVoxelSizePutsOnPlanes)
+{
+  // A fifth of the points is on planes. Of the others one place is a board, and another
+  // one has three points on a board for two points of a tree: 80 % on average.
+  const Surface board = {{0, 5, 0}, {2, 0, 0}, {0, 0, 2}};
+  LabeledPlaneScene survey;
+  survey.add (floor_of_room, 2000, 2_mm).addUnassigned (board, 8000, 2_mm);
+  LabeledPlaneScene around_board, around_tree;
+  around_board.addUnassigned (board, 4000, 2_mm);
+  around_tree.addUnassigned (board, 9000, 2_mm);
+  addTree (around_tree);
+  ResultContext context;
+  TiledSearch& tiles = context.tiles.emplace();
+  tiles.voxel_size = 0.4;
+  tiles.places_on_none = {around_board.cloud, around_tree.cloud};
+  ASSERT_EQ (survey.codes (context), "unassigned-points");
+  const std::string text = survey.firstText (context);
+  const std::string before_share = "; for some ";
+  const std::size_t share = text.find (before_share) + before_share.size();
+  EXPECT_NEAR (std::stod (text.substr (share)), 20 + 0.8 * 80, 4.0) << text;
 }
 
 TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
