@@ -118,6 +118,26 @@ TEST (WallFaces, OfFurnitureStandBeforeAWallThatIsSeenAboveThem)
   EXPECT_EQ (facesKept (0.4, 5.0, 1.0, 2.8), 2u) << "a wall of the next story";
 }
 
+TEST (WallFaces, OfFurnitureStandBeforeAWallByTheirMiddleThoughOneEndIsSeenBetter)
+{
+  PlanPoints of_wall, of_front;
+  for (double x = 0.0; x < 4.0; x += 5_cm)
+    for (double z = 0.025; z < 2.5; z += 5_cm)
+      of_wall.emplace_back (x, 0.0, z);
+  // A cupboard 6 cm before the wall at one end, 18 cm at the other. Two thirds of its
+  // points are on the last 10 cm.
+  for (double x = 1_m; x < 2.0; x += 1_cm) {
+    const double step = x < 1.9 ? 5_cm : 0.0025;
+    for (double z = 0.0; z < 2.0; z += step)
+      of_front.emplace_back (x, 6_cm + 0.12 * (x - 1_m), z);
+  }
+  EXPECT_EQ (withoutFurniture ({faceAlongX (of_wall, 0),
+                                faceOf ({-0.12, 1, 0}, of_front, 1, height_of_cut)})
+                 .size(),
+             1u)
+      << "the middle of the front is 12 cm before the wall";
+}
+
 TEST (WallFaces, OnOneLineAreOneOfAllTheirPlanes)
 {
   PlanPoints left, right, across;
@@ -129,6 +149,65 @@ TEST (WallFaces, OnOneLineAreOneOfAllTheirPlanes)
   ASSERT_EQ (joined.size(), 2u);
   EXPECT_EQ (planesOf (joined[0]), (std::vector<std::size_t>{3}));
   EXPECT_EQ (planesOf (joined[1]), (std::vector<std::size_t>{5, 7}));
+}
+
+TEST (WallFaces, OnOneLineAreSeenAndCutWhereTheirPlanesAre)
+{
+  PlanPoints left, right;
+  addUpright (0.0, 0.0, 2_m, left);
+  addUpright (0.0, 2.5, 4_m, right);
+  const std::vector<WallFace> joined =
+      joinFaces ({faceAlongX (left, 7), faceAlongX (right, 5)});
+  ASSERT_EQ (joined.size(), 1u);
+  const auto expectRuns = [&] (const Interval& interval, double from, double to) {
+    EXPECT_NEAR (joined[0].line.at (interval.from).x(), from, 2_cm);
+    EXPECT_NEAR (joined[0].line.at (interval.to).x(), to, 2_cm);
+  };
+  for (const Intervals& intervals : {joined[0].seen, joined[0].at_cut}) {
+    ASSERT_EQ (intervals.size(), 2u);
+    expectRuns (intervals[0], 0.0, 2_m);
+    expectRuns (intervals[1], 2.5, 4_m);
+  }
+  expectRuns (joined[0].extent_of_plane.at (7), 0.0, 2_m);
+  expectRuns (joined[0].extent_of_plane.at (5), 2.5, 4_m);
+}
+
+TEST (WallFaces, OnOneLineEndRoomsIfAllOfThemDo)
+{
+  PlanPoints left, right;
+  addUpright (0.0, 0.0, 2_m, left);
+  addUpright (0.0, 2.5, 4_m, right);
+  for (const bool right_ends_rooms : {false, true}) {
+    std::vector<WallFace> faces = {faceAlongX (left, 7), faceAlongX (right, 5)};
+    faces[0].ends_rooms = true;
+    faces[1].ends_rooms = right_ends_rooms;
+    EXPECT_EQ (joinFaces (faces).at (0).ends_rooms, right_ends_rooms);
+  }
+}
+
+TEST (WallFaces, OnOneLineHaveTheLineOfTheLargestWhicheverPlaneIsFirst)
+{
+  PlanPoints large, small;
+  addUpright (0.0, 0.0, 3_m, large);
+  addUpright (1_cm, 3.1, 4_m, small);
+  for (const std::size_t plane_of_large : {2, 8}) {
+    const std::vector<WallFace> joined =
+        joinFaces ({faceAlongX (small, 5), faceAlongX (large, plane_of_large)});
+    ASSERT_EQ (joined.size(), 1u);
+    EXPECT_NEAR (joined[0].line.distance ({0.0, 0.0}), 0.0, 1_mm);
+  }
+}
+
+TEST (WallFaces, OnOneLineTakeAPartThatDriftSetBack)
+{
+  constexpr double no_lintel = 9_m;
+  const PlanPoints points = wallWithGap (no_lintel);
+  PlanPoints moved;
+  addUpright (-3_cm, 1_m, 2_m, moved);
+  const std::vector<WallFace> joined =
+      joinFaces ({faceAlongX (points, 0), faceAlongX (moved, 1)});
+  ASSERT_EQ (joined.size(), 1u);
+  EXPECT_EQ (planesOf (joined[0]), (std::vector<std::size_t>{0, 1}));
 }
 
 TEST (WallFaces, OnOneLineAreApartWhereOneIsALeafThatTheOtherSurrounds)
@@ -214,6 +293,55 @@ TEST (WallFaces, HaveNoGapsUpTo25CentimetersOrSixSpacings)
   EXPECT_EQ (partsSeen (1_cm, 28_cm), 2u);
   EXPECT_EQ (partsSeen (10_cm, 45_cm), 1u);
   EXPECT_EQ (partsSeen (10_cm, 85_cm), 2u);
+}
+
+TEST (WallFaces, AreLeavesBetweenTheEndsOfTheirWall)
+{
+  // The number of walls among one from x = 0 to 4 m, of which only a lintel is over the
+  // first and the last meter, and a face 10 cm behind it.
+  const auto wallsWithLeaf = [] (double from, double to) {
+    PlanPoints points, of_leaf;
+    addUpright (0.0, 1_m, 3_m, points);
+    for (double x = 0.0; x < 4.0; x += 1_cm)
+      for (double z = 2.05; z < 2.5; z += 5_cm)
+        points.emplace_back (x, 0.0, z);
+    addUpright (-0.1, from, to, of_leaf);
+    return withoutRecesses ({faceAlongX (points, 0), faceAlongX (of_leaf, 1)}, {})
+        .size();
+  };
+  EXPECT_EQ (wallsWithLeaf (3_m, 4_m), 1u);
+  EXPECT_EQ (wallsWithLeaf (3.5, 4.5), 2u) << "ends beyond the wall";
+  EXPECT_EQ (wallsWithLeaf (0.0, 1_m), 1u);
+  EXPECT_EQ (wallsWithLeaf (-0.5, 0.5), 2u) << "begins before the wall";
+}
+
+TEST (WallFaces, AreTheOtherSideOfAWallThatCoversMostOfThem)
+{
+  // The number of walls among one that has a gap from x to 2 m, and a face behind it
+  // from x = 1 m to 2 m.
+  const auto wallsWithGapFrom = [] (double x) {
+    PlanPoints points, behind;
+    addUpright (0.0, 0.0, x, points);
+    addUpright (0.0, 2_m, 4_m, points);
+    addUpright (-0.1, 1_m, 2_m, behind);
+    return withoutRecesses ({faceAlongX (points, 0), faceAlongX (behind, 1)}, {})
+        .size();
+  };
+  EXPECT_EQ (wallsWithGapFrom (1.4), 1u);
+  EXPECT_EQ (wallsWithGapFrom (1.8), 2u);
+}
+
+TEST (WallFaces, AreLeavesThoughTheFrameCoversTheirRim)
+{
+  // A window pane 28 cm wide, and a frame in the front of the wall 9 cm wide at both of
+  // its sides.
+  PlanPoints points, of_pane;
+  addUpright (0.0, 0.15, 1.09, points);
+  addUpright (0.0, 1.21, 2.15, points);
+  addUpright (-0.1, 1.01, 1.29, of_pane);
+  EXPECT_EQ (
+      withoutRecesses ({faceAlongX (points, 0), faceAlongX (of_pane, 1)}, {}).size(),
+      1u);
 }
 
 TEST (WallFaces, AreNoLeavesLessThan2CentimetersBehindOrMoreThan45)
