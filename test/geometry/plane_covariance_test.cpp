@@ -161,6 +161,28 @@ TEST (PlaneCovariance, OfACloudLeavesOutInliersThatAreNotFinite)
   EXPECT_EQ (planeCovariance (cloud, plane)->matrix, matrix);
 }
 
+TEST (PlaneCovariance, OfACloudIsNoneIfAllInliersAreInThreePlaces)
+{
+  // The moments are those of a board of some meters. Three errors tell no more than the
+  // three numbers of a plane, and nothing of their spread.
+  PlaneSegment plane;
+  for (const double x : {2.0, -2.0})
+    for (const double y : {1.0, -1.0})
+      plane.moments.add (x, y, 0.05 * x * y);
+  plane.normal = Eigen::Vector3d::UnitZ();
+  Cloud cloud;
+  for (int i = 0; i < 10; ++i) {
+    cloud.emplace_back (2.0f, 1.0f, 0.1f);
+    cloud.emplace_back (2.0f, -1.0f, -0.1f);
+    cloud.emplace_back (-2.0f, 1.0f, -0.1f);
+  }
+  plane.inliers = upTo<pcl::Indices> (cloud.size());
+  EXPECT_FALSE (planeCovariance (cloud, plane));
+  cloud.emplace_back (-2.0f, -1.0f, 0.1f); // a fourth place
+  plane.inliers = upTo<pcl::Indices> (cloud.size());
+  EXPECT_TRUE (planeCovariance (cloud, plane));
+}
+
 TEST (PlaneCovariance, IsNoneOfANormalWithinTheSurface)
 {
   RandomGenerator generator (seedOfTest());
