@@ -77,6 +77,25 @@ TEST (VoxelChoice, TakesVoxelsOfSeventyTimesTheNoise)
   EXPECT_NEAR (gridOfFloors (0.0028, many_steps, low_rate).voxel_size, 10_cm, 1_cm);
 }
 
+TEST (VoxelChoice, FollowsTheNoiseOfTheLeastNoisyQuarterOfTheVoxels)
+{
+  // A floor of 16 squares of 1 m x 1 m with points at two heights: 2.8 mm apart, but
+  // only 1.4 mm on so many quiet squares.
+  const auto voxelSizeWith = [] (int quiet_squares) {
+    constexpr int steps = 56;
+    Points points;
+    for (int square = 0; square < 16; ++square) {
+      const double apart = square < quiet_squares ? 0.0014 : 0.0028;
+      const double x = square % 4 - 2.0, y = square / 4 - 2.0; // NOLINT
+      addGrid (points, {{x, y, 0}, {1, 0, 0}, {0, 1, 0}}, steps);
+      addGrid (points, {{x, y, apart}, {1, 0, 0}, {0, 1, 0}}, steps);
+    }
+    return voxelizeByNoise (points, low_rate, one_thread).coarse.voxel_size;
+  };
+  EXPECT_NEAR (voxelSizeWith (3), 10_cm, 1_cm) << "19 %";
+  EXPECT_LT (voxelSizeWith (6), 7_cm) << "38 %";
+}
+
 TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
 {
   // An exact floor, and one with a noise of 0.5 mm, which alone would allow voxels of
