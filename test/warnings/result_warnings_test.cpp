@@ -161,6 +161,18 @@ TEST (ResultWarnings, SayThatCoordinatesOfUtmStepInSinglePrecision)
   EXPECT_EQ (shifted.codes (context), "") << "the cloud itself is near its zero";
 }
 
+TEST (ResultWarnings, SayThatCoordinatesStepByMoreThanAQuarterOfTheSpacing)
+{
+  // At 500 km the steps are 3.1 cm.
+  const auto codesWithPoints = [] (std::size_t points) {
+    return LabeledPlaneScene()
+        .add ({{-500000, 0, 0}, {4, 0, 0}, {0, 3, 0}}, points, 2_mm)
+        .codes();
+  };
+  EXPECT_EQ (codesWithPoints (1500), "coarse-coordinates") << "points are 9 cm apart";
+  EXPECT_EQ (codesWithPoints (500), "") << "points are 15 cm apart";
+}
+
 TEST (ResultWarnings, SayNothingOfStepsWherePointsAreOnALineOrAtOnePlace)
 {
   for (const double spacing : {0.0, 1_m}) {
@@ -347,6 +359,37 @@ TEST (ResultWarnings, AreNoneOfLabelsMixedBetweenPlanesAtMoreThan15Degrees)
   EXPECT_EQ (codesWithAngle (18_deg), "");
 }
 
+TEST (ResultWarnings, AreNoneOfWallsFartherApartThanTwiceTheSumOfBothRms)
+{
+  // Points are 6 cm apart and scatter by 5 mm: the sum is 1 cm.
+  const auto codesWithDistance = [] (double distance) {
+    Surface wall_behind = wall_of_room;
+    wall_behind.corner.y() += distance;
+    return LabeledPlaneScene()
+        .add (wall_of_room, 2500, 5_mm)
+        .add (wall_behind, 2500, 5_mm)
+        .codes();
+  };
+  EXPECT_EQ (codesWithDistance (12_mm), "mixed-labels");
+  EXPECT_EQ (codesWithDistance (30_mm), "");
+}
+
+TEST (ResultWarnings, AreNoneOfPlanesOfWhichASmallPartIsMixed)
+{
+  // Two walls of 4 m on one plane. Where they overlap, half of the neighbors of a point
+  // are on the other one.
+  const auto codesWithOverlap = [] (double overlap) {
+    Surface second = wall_of_room;
+    second.corner.x() += 4_m - overlap;
+    return LabeledPlaneScene()
+        .add (wall_of_room, 2500, 5_mm)
+        .add (second, 2500, 5_mm)
+        .codes();
+  };
+  EXPECT_EQ (codesWithOverlap (1.4), "mixed-labels") << "18 % of the neighbors";
+  EXPECT_EQ (codesWithOverlap (0.5), "") << "6 %";
+}
+
 TEST (ResultWarnings, AreNoneOfPlanesThatMeet)
 {
   LabeledPlaneScene room = roomOfTwoPlanes();
@@ -408,6 +451,69 @@ TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
   ASSERT_EQ (room.codes (context), "unassigned-points");
   const std::string text = room.firstText (context);
   EXPECT_TRUE (contains (text, "on planes leave out --min-points"));
+}
+
+TEST (ResultWarnings, SayWhichShareOfPointsIsOnPlanesWithoutAGivenValue)
+{
+  LabeledPlaneScene room = roomOfTwoPlanes();
+  room.addUnassigned ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 5000, 2_mm);
+  const OrientedPointSamplingParameters defaults;
+  OrientedPointSamplingParameters thin, large, many;
+  thin.distance_threshold = 1e-5; // [m]; the noise is 2 mm
+  large.min_points = 1'000'000;
+  many.min_samples = 1'000'000;
+  const struct {
+    OrientedPointSamplingParameters search;
+    const char* option;
+  } rows[] = {{thin, "--threshold"}, {large, "--min-points"}, {many, "--min-inliers"}};
+  for (const auto& row : rows) {
+    ResultContext context;
+    context.search = row.search;
+    ASSERT_EQ (room.codes (context), "unassigned-points") << row.option;
+    const std::string text = room.firstText (context);
+    EXPECT_TRUE (contains (text, std::string ("on planes leave out ") + row.option))
+        << text;
+    const std::string before_share = "; for ";
+    const std::size_t share = text.find (before_share) + before_share.size();
+    EXPECT_NEAR (std::stod (text.substr (share)), 100.0, 5.0) << text;
+  }
+}
+
+TEST (ResultWarnings, CountPlanesOf3PerCentOfThePointsIfAnotherValueFindsThem)
+{
+  // Of 20,000 points half are on a floor and a wall, the others on no plane: these are
+  // on boards, which a smaller min_points finds, and in a bush.
+  const auto codesWithBoards = [] (int boards, std::size_t points_of_board) {
+    LabeledPlaneScene garden;
+    garden.add (floor_of_room, 6000, 2_mm).add (wall_of_room, 4000, 2_mm);
+    for (int i = 0; i < boards; ++i)
+      garden.addUnassigned (
+          {{20.0 + 2 * i, 0, 0}, {1, 0, 0.3 * i}, {0, 1, 0}}, points_of_board, 2_mm);
+    garden.addUnassigned ({{9, 9, 1}, {1, 0.1, 0}, {-0.1, 1, 0}},
+                          10'000 - boards * points_of_board,
+                          50_cm);
+    ResultContext context;
+    context.search = OrientedPointSamplingParameters();
+    context.search->min_points = 1'000'000;
+    return garden.codes (context);
+  };
+  EXPECT_EQ (codesWithBoards (6, 900), "unassigned-points") << "4.5 % each";
+  EXPECT_EQ (codesWithBoards (12, 450), "") << "2.2 % each";
+}
+
+TEST (ResultWarnings, AdviseNoOtherValueForMoreThan100000Points)
+{
+  const auto codesWithPoints = [] (std::size_t points) {
+    LabeledPlaneScene room;
+    room.add (floor_of_room, points / 2, 2_mm);
+    room.addUnassigned (wall_of_room, points / 2, 2_mm);
+    ResultContext context;
+    context.search = OrientedPointSamplingParameters();
+    context.search->min_points = 1'000'000;
+    return room.codes (context);
+  };
+  EXPECT_EQ (codesWithPoints (80'000), "unassigned-points");
+  EXPECT_EQ (codesWithPoints (120'000), "");
 }
 
 TEST (ResultWarnings, AdviseAnotherValueOnlyIfItPuts20PerCentMoreOnPlanes)
@@ -532,6 +638,19 @@ TEST (ResultWarnings, TakeACloudWiderThan1000AlongAllAxesForOneInMillimeters)
   };
   EXPECT_EQ (codesWithHeight (900.0), "");
   EXPECT_EQ (codesWithHeight (1200.0), "millimeters");
+}
+
+TEST (ResultWarnings, LeaveStraysOutOfTheExtentOfACloud)
+{
+  // The room is some meters wide; strays are 5 km away in all directions.
+  const auto codesWithStrays = [] (std::size_t strays) {
+    LabeledPlaneScene room = roomOfTwoPlanes();
+    for (std::size_t i = 0; i < strays; ++i)
+      room.cloud.emplace_back (5000.0f, 5000.0f, 5000.0f);
+    return room.codes();
+  };
+  EXPECT_EQ (codesWithStrays (35), "") << "0.6 %";
+  EXPECT_EQ (codesWithStrays (85), "millimeters") << "1.5 %";
 }
 
 TEST (ResultWarnings, AreNoneOfASurveyOfAKilometer)
@@ -670,6 +789,43 @@ TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
   };
   EXPECT_EQ (codesWithPointsBelow (400), "") << "6 %";
   EXPECT_EQ (codesWithPointsBelow (1000), "unknown-up") << "13 %";
+}
+
+TEST (ResultWarnings, TakeAPlaneThatRisesByMoreThan15DegreesForNoFloor)
+{
+  // As in the tests before, but the square rises by an angle.
+  ResultContext context;
+  context.up_knowledge = UpKnowledge::Assumed;
+  context.uses_kinds = true;
+  const auto codesWithSlope = [&] (double angle) {
+    return LabeledPlaneScene()
+        .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
+        .add ({{-0.1, 0.1, 0.5},
+               {0.2, 0, 0},
+               {0, 0.2 * std::cos (angle), 0.2 * std::sin (angle)}},
+              500,
+              2_mm)
+        .codes (context);
+  };
+  EXPECT_EQ (codesWithSlope (12_deg), "");
+  EXPECT_EQ (codesWithSlope (20_deg), "unknown-up");
+}
+
+TEST (ResultWarnings, TakePointsForBelowAFloorIfTheyAreLowerByMoreThanThreeRms)
+{
+  // As in the tests before, with an rms of 2 mm and 13 % of the points below the level.
+  ResultContext context;
+  context.up_knowledge = UpKnowledge::Assumed;
+  context.uses_kinds = true;
+  const auto codesWithDepth = [&] (double depth) {
+    return LabeledPlaneScene()
+        .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
+        .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, 500, 2_mm)
+        .addUnassigned ({{-0.1, 0.1, 0.5 - depth}, {0.2, 0, 0}, {0, 0.2, 0}}, 1000, 0.0)
+        .codes (context);
+  };
+  EXPECT_EQ (codesWithDepth (4_mm), "");
+  EXPECT_EQ (codesWithDepth (9_mm), "unknown-up");
 }
 
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
