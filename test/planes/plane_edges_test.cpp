@@ -94,12 +94,13 @@ parametersWith (Member PlaneEdgeParameters::*member, double value)
   return parameters;
 }
 
-/** \brief A floor, and a ramp that rises from its side x = 2 m by an angle [rad]. */
+/** \brief A floor, and a ramp that rises from its side x = 2 m by an angle [rad].
+ * \param[in] gap between the floor and the ramp [m] */
 Scene
-floorAndRamp (double angle)
+floorAndRamp (double angle, double gap = 0.0)
 {
   const Vector3d upwards (2 * std::cos (angle), 0, 2 * std::sin (angle));
-  return Scene().floor (2_m, 2_m).surface ({2, 0, 0}, upwards, {0, 2, 0});
+  return Scene().floor (2_m - gap, 2_m).surface ({2, 0, 0}, upwards, {0, 2, 0});
 }
 
 /** \brief A floor from x = 0 to 2 m, and over the line y = 0 of its side a wall 2 m
@@ -199,6 +200,43 @@ TEST (PlaneEdges, EndAtTheNearerOfTwoCornersWithinTheGap)
   expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 5_cm);
 }
 
+TEST (PlaneEdges, EndAtTheCornersAtBothOfTheirEnds)
+{
+  // A wall along x from a wall at x = 0 to one at x = 4 m.
+  Scene scene;
+  scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m);
+  scene.wall ({0, 0}, {0, 3}, 2.5_m).wall ({4, 0}, {4, 3}, 2.5_m);
+  const PlaneEdges found = edgesOf (scene.build());
+  expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 1e-6);
+}
+
+TEST (PlaneEdges, EndAtACornerWithTheirNearerEndInWhateverOrderThePlanesAre)
+{
+  // The gap of 100 m allows both ends of an edge to move to the corner.
+  const LabeledScene built = corner().build();
+  std::vector<PlaneSegment> planes = planesOf (built);
+  std::reverse (planes.begin(), planes.end());
+  const PlaneEdges found = findPlaneEdges (
+      *built.cloud, planes, parametersWith (&PlaneEdgeParameters::max_gap, 100_m));
+  expectRuns (edgeBetween (found, 1, 2), {0, 0, 0}, {4, 0, 0}, 5_cm);
+  expectRuns (edgeBetween (found, 0, 2), {0, 0, 0}, {0, 3, 0}, 5_cm);
+  for (const PlaneEdge& edge : found.edges)
+    EXPECT_LT (std::min (edge.from.norm(), edge.to.norm()), 1e-6);
+}
+
+TEST (PlaneEdges, GoOnOverGapsUpToTwiceTheReach)
+{
+  for (const double gap : {15_cm, 30_cm}) {
+    Scene scene;
+    scene.floor (4_m, 3_m).spacing (2_cm).wall ({0, 1}, {2, 1}, 1_m);
+    scene.wall ({2 + gap, 1}, {4, 1}, 1_m);
+    const PlaneEdges found =
+        edgesOf (withLastSurfaceOnPlane (1, scene),
+                 parametersWith (&PlaneEdgeParameters::reach, 10_cm));
+    EXPECT_EQ (found.edges.size(), gap < 20_cm ? 1u : 2u) << gap;
+  }
+}
+
 TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
 {
   // The second wall ends 1 m before the first one, but from 1.5 m up it reaches the
@@ -244,6 +282,14 @@ TEST (PlaneEdges, AreAsManyAsPlanesMeet)
       {"a wall 7 cm above the floor", Scene (wall_7_cm_above).noise (1_mm), {}, 0},
       {"the same where noise explains the gap",
        Scene (wall_7_cm_above).noise (2_cm),
+       {},
+       1},
+      {"a wall 10 cm above the floor, beyond three standard deviations of 1 cm each",
+       floorAndWall (0.0, 0.1).spacing (1_cm).noise (1_cm),
+       {},
+       0},
+      {"a ramp 9 cm beside a floor, where noise of 1 cm moves the line by more",
+       floorAndRamp (30_deg, 9_cm).spacing (1_cm).noise (1_cm),
        {},
        1},
       {"a corner of a room, of whose edges one is too short",
