@@ -153,6 +153,82 @@ TEST (UpAxis, IsTheNormalOfAnExactFloorIfNoWallIsNeeded)
             0.1_deg);
 }
 
+TEST (UpAxis, NeedsAFloorWhereWallsStandInThreeDirections)
+{
+  std::vector<PlaneSegment> planes;
+  for (const double degrees : {0.0, 60.0, 120.0}) {
+    const Eigen::AngleAxisd turn (degrees * 1_deg, Vector3d::UnitZ());
+    planes.push_back (seenFrom (
+        eye, {turn * Vector3d (5, -4, 0), turn * Vector3d (0, 8, 0), {0, 0, 3}}));
+  }
+  UpAxisParameters parameters;
+  parameters.min_confidence = 0.0;
+  EXPECT_FALSE (estimateUpAxis (planes, eye, parameters));
+}
+
+TEST (UpAxis, MayBeDownWhereFewPlanesFaceUpOrTheseAreNotLevel)
+{
+  // A landing of 1 m x 0.4 m in the middle between two walls, which are 20 m apart: at
+  // the mean height, so that as many points are high as low.
+  const auto confidenceIfLandingRises = [] (double angle) {
+    const Vector3d above_landing (10_m, 2_m, 1.5_m);
+    const Vector3d along (std::cos (angle), 0, std::sin (angle));
+    const std::vector<PlaneSegment> planes{
+        seenFrom (above_landing,
+                  {Vector3d (10, 1.8, 1) - 0.5 * along, along, {0, 0.4, 0}}),
+        seenFrom (above_landing, {{0, 0, 0}, {0, 4, 0}, {0, 0, 2}}),
+        seenFrom (above_landing, {{20, 0, 0}, {0, 4, 0}, {0, 0, 2}})};
+    UpAxisParameters parameters;
+    parameters.min_confidence = 0.0;
+    const UpAxis found = estimateUpAxis (planes, above_landing, parameters).value();
+    expectUp (found, 1_deg);
+    return found.confidence;
+  };
+  const double level = confidenceIfLandingRises (0.0);
+  EXPECT_GT (level, 0.7);
+  EXPECT_LT (level, 0.82);
+  EXPECT_LT (confidenceIfLandingRises (5_deg), level - 0.1)
+      << "near the tolerance of 7 degrees it hardly counts";
+}
+
+TEST (UpAxis, IsWhereTheSensorLooksLeastInTheCornerOfACube)
+{
+  const std::vector<Surface> faces{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}},
+                                   {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}},
+                                   {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}}};
+  const Vector3d mean = Vector3d::Constant (2.0 / 3.0); // of all points
+  // The sensor looks along all three edges, but along z a quarter less.
+  const Vector3d viewpoint = mean + Vector3d (1, 1, 0.75);
+  std::vector<PlaneSegment> planes;
+  for (const Surface& face : faces)
+    planes.push_back (seenFrom (viewpoint, face));
+  UpAxisParameters parameters;
+  parameters.min_confidence = 0.0;
+  const UpAxis found = estimateUpAxis (planes, viewpoint, parameters).value();
+  expectUp (found, 0.1_deg);
+  EXPECT_GT (found.confidence, 0.55);
+  EXPECT_LT (found.confidence, 0.8);
+}
+
+TEST (UpAxis, IsWhereARoomExtendsLeast)
+{
+  // The corner of a cube that is lower than wide, seen from the mean of its points: the
+  // sensor looks along none of the edges.
+  const std::vector<Surface> faces{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}},
+                                   {{0, 0, 0}, {0, 2, 0}, {0, 0, 1.6}},
+                                   {{0, 0, 0}, {0, 0, 1.6}, {2, 0, 0}}};
+  const Vector3d mean (0.69, 0.69, 0.49);
+  std::vector<PlaneSegment> planes;
+  for (const Surface& face : faces)
+    planes.push_back (seenFrom (mean, face));
+  UpAxisParameters parameters;
+  parameters.min_confidence = 0.0;
+  const UpAxis found = estimateUpAxis (planes, mean, parameters).value();
+  expectUp (found, 0.1_deg);
+  EXPECT_GT (found.confidence, 0.6);
+  EXPECT_LT (found.confidence, 0.9);
+}
+
 TEST (UpAxis, CannotBeToldInTheCornerOfACube)
 {
   // Seen along the diagonal, each of the three faces may be the floor.
@@ -186,6 +262,7 @@ TEST (UpAxis, IsWhereFewPointsAreHighIfAsManyPlanesFaceUpAsDown)
   const UpAxis found = estimateUpAxis (planes, middle, parameters).value();
   expectUp (found, 0.1_deg);
   EXPECT_GT (found.confidence, 0.6) << "that of down is less";
+  EXPECT_LT (found.confidence, 0.85) << "but it may be down";
 }
 
 TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
@@ -204,6 +281,23 @@ TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
   EXPECT_TRUE (estimateUpAxis (planes, middle)) << "no floor was seen";
   planes.push_back (seenFrom (middle, free_ground));
   EXPECT_FALSE (estimateUpAxis (planes, middle));
+}
+
+TEST (UpAxis, IsToldThoughACeilingIsSeenIfTheSensorLooksAhead)
+{
+  // A room of 6 m x 4 m. From its middle the sensor looks in all directions; 1 m from
+  // one end it mostly looks along the room.
+  for (const double x : {3_m, 1_m}) {
+    const Vector3d sensor (x, 2_m, 1.2_m);
+    std::vector<PlaneSegment> planes;
+    for (const Surface& surface : {room_floor,
+                                   wall_ahead,
+                                   wall_beside,
+                                   Surface{{0, 4, 0}, {6, 0, 0}, {0, 0, 2.4}},
+                                   Surface{{2, 1, 2.4}, {2, 0, 0}, {0, 2, 0}}})
+      planes.push_back (seenFrom (sensor, surface));
+    EXPECT_EQ (estimateUpAxis (planes, sensor).has_value(), x < 2_m);
+  }
 }
 
 TEST (UpAxis, RefusesWhatIsNotFiniteOrOutOfItsRangeAndLeavesOutBrokenPlanes)
