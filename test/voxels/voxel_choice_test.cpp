@@ -84,12 +84,12 @@ TEST (VoxelChoice, FollowsTheNoiseOfTheLeastNoisyQuarterOfTheVoxels)
   const auto voxelSizeWith = [] (int quiet_squares) {
     constexpr int steps = 56;
     Points points;
-    for (int square = 0; square < 16; ++square) {
-      const double apart = square < quiet_squares ? 0.0014 : 0.0028;
-      const double x = square % 4 - 2.0, y = square / 4 - 2.0; // NOLINT
-      addGrid (points, {{x, y, 0}, {1, 0, 0}, {0, 1, 0}}, steps);
-      addGrid (points, {{x, y, apart}, {1, 0, 0}, {0, 1, 0}}, steps);
-    }
+    for (const int x : {0, 1, 2, 3})
+      for (const int y : {0, 1, 2, 3}) {
+        const double apart = 4 * x + y < quiet_squares ? 0.0014 : 0.0028;
+        addGrid (points, {{x - 2.0, y - 2.0, 0}, {1, 0, 0}, {0, 1, 0}}, steps);
+        addGrid (points, {{x - 2.0, y - 2.0, apart}, {1, 0, 0}, {0, 1, 0}}, steps);
+      }
     return voxelizeByNoise (points, low_rate, one_thread).coarse.voxel_size;
   };
   EXPECT_NEAR (voxelSizeWith (3), 10_cm, 1_cm) << "19 %";
@@ -104,6 +104,14 @@ TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
     EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many_steps, low_rate)), 8.0);
   constexpr int few_steps = 23;
   EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, few_steps, default_rate)), 3.0)
+      << "a small cloud";
+}
+
+TEST (VoxelChoice, LeavesNoMorePointsInAVoxelThanEnoughOnAnExactFloor)
+{
+  EXPECT_LT (meanPointsPerVoxel (gridOfFloors (0.0, many_steps, low_rate)), 20.0);
+  constexpr int few_steps = 23;
+  EXPECT_LT (meanPointsPerVoxel (gridOfFloors (4_cm, few_steps, default_rate)), 9.0)
       << "a small cloud";
 }
 
@@ -122,7 +130,9 @@ TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)
 {
   Points points = gridsOf ({{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, many_steps);
   points.origin = {0.0, 1e6, 0.0}; // a step is 6.25 cm; voxels have 16 steps or more
-  EXPECT_GE (voxelizeByNoise (points, low_rate, one_thread).coarse.voxel_size, 1_m);
+  const double size = voxelizeByNoise (points, low_rate, one_thread).coarse.voxel_size;
+  EXPECT_GE (size, 1_m);
+  EXPECT_LT (size, 1.5_m) << "no more than needed";
 }
 
 TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
