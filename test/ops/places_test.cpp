@@ -79,6 +79,26 @@ TEST (Places, OnLevelsScatterByTheVarianceOfTheirStep)
   EXPECT_GT (medianOf (scatter), 0.9 * deviation_within_step);
 }
 
+TEST (Places, OnLevelsHaveNeighborsOnOtherLevels)
+{
+  // Levels 4 cm apart on a slanted wall are bands 13 cm wide. Points are 1 cm apart, so
+  // that the 23 nearest ones reach some 3 cm far: less than from level to level.
+  Coordinates points = drawnOn ({{{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}}}, 1_cm, 0.0);
+  for (float& z : points.z)
+    z = static_cast<float> (4_cm * std::round (z / 4_cm));
+  const PlaceScene scene (points);
+  std::size_t beside_other_level = 0;
+  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+    const std::uint32_t* const nearest = scene.places.nearestOf (i);
+    beside_other_level += std::any_of (
+        nearest, nearest + scene.places.neighbors_per_place, [&] (std::uint32_t other) {
+          return std::abs (scene.places.position[other].z() -
+                           scene.places.position[i].z()) > 2_cm;
+        });
+  }
+  EXPECT_GT (beside_other_level, scene.places.size() / 5);
+}
+
 TEST (Places, OnLevelsScatterAlikeHoweverTheyAreTurned)
 {
   // A slanted wall whose depths are rounded to steps of 4 cm, upright and in a frame in
@@ -103,6 +123,24 @@ TEST (Places, OnLevelsScatterAlikeHoweverTheyAreTurned)
   };
   const double scatter = medianScatterOf (upright);
   EXPECT_NEAR (medianScatterOf (turned), scatter, 3_percent * scatter);
+}
+
+TEST (Places, AreNotFlatOnALine)
+{
+  // Points 1 cm apart along x, by turns this far to the left of the line and to its
+  // right.
+  const auto flatPlaces = [] (float aside) {
+    Coordinates points;
+    for (int i = 0; i < 400; ++i)
+      points.add (0.01f * i, i % 2 == 0 ? aside : -aside, 0.001f * (i % 3));
+    const PlaceScene scene (points);
+    std::size_t flat = 0;
+    for (const Support& support : scene.places.supports[0])
+      flat += support.is_flat ? 1 : 0;
+    return flat;
+  };
+  EXPECT_EQ (flatPlaces (0.003f), 0u);
+  EXPECT_GT (flatPlaces (0.04f), 350u) << "a strip of 8 cm";
 }
 
 TEST (Places, AreAsDenseAsTheirPoints)

@@ -259,6 +259,28 @@ TEST (JoinOverGaps, MakesOneOfAGroundAndTheNearerOfTwoThatItContinues)
   EXPECT_EQ (regions.of_place, (Labels{0, 1, 1}));
 }
 
+TEST (JoinOverGaps, LeavesRegionsOfOneOrTwoPoints)
+{
+  // A ground of 100 points, and so many points 2 m beside it, at the same height.
+  const auto areJoined = [] (int points) {
+    Region ground, beside;
+    for (int i = 0; i < 10; ++i)
+      for (int j = 0; j < 10; ++j)
+        ground.moments.add (0.1 * i, 0.1 * j, 0.0);
+    ground.refit();
+    for (int i = 0; i < points; ++i)
+      beside.moments.add (2.0 + 0.1 * (i % 2), 0.1 * i, 0.0);
+    beside.fit = ground.fit;
+    beside.fit.centroid = beside.moments.centroid();
+    ground.noise = beside.noise = 1_mm;
+    Regions regions{{ground, beside}, {0, 1}};
+    joinOverGaps (default_joins, regions);
+    return regions.of_place[1] == 0;
+  };
+  EXPECT_FALSE (areJoined (2));
+  EXPECT_TRUE (areJoined (4));
+}
+
 TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
 {
   Surface beyond = ground_beyond_gap; // turned by 0.2 degrees about its middle
