@@ -31,6 +31,7 @@ std::vector<Support>
 flatSupports (const std::vector<float>& scatter)
 {
   std::vector<Support> supports;
+  supports.reserve (scatter.size());
   for (const float millimeters : scatter)
     supports.push_back ({Eigen::Vector3f::UnitZ(), 1e-3f * millimeters, 0.1f, true});
   return supports;

@@ -199,9 +199,9 @@ TEST (UpAxis, IsWhereTheSensorLooksLeastInTheCornerOfACube)
   const Vector3d mean = Vector3d::Constant (2.0 / 3.0); // of all points
   // The sensor looks along all three edges, but along z a quarter less.
   const Vector3d viewpoint = mean + Vector3d (1, 1, 0.75);
-  std::vector<PlaneSegment> planes;
-  for (const Surface& face : faces)
-    planes.push_back (seenFrom (viewpoint, face));
+  const std::vector<PlaneSegment> planes{seenFrom (viewpoint, faces[0]),
+                                         seenFrom (viewpoint, faces[1]),
+                                         seenFrom (viewpoint, faces[2])};
   UpAxisParameters parameters;
   parameters.min_confidence = 0.0;
   const UpAxis found = estimateUpAxis (planes, viewpoint, parameters).value();
@@ -218,9 +218,8 @@ TEST (UpAxis, IsWhereARoomExtendsLeast)
                                    {{0, 0, 0}, {0, 2, 0}, {0, 0, 1.6}},
                                    {{0, 0, 0}, {0, 0, 1.6}, {2, 0, 0}}};
   const Vector3d mean (0.69, 0.69, 0.49);
-  std::vector<PlaneSegment> planes;
-  for (const Surface& face : faces)
-    planes.push_back (seenFrom (mean, face));
+  const std::vector<PlaneSegment> planes{
+      seenFrom (mean, faces[0]), seenFrom (mean, faces[1]), seenFrom (mean, faces[2])};
   UpAxisParameters parameters;
   parameters.min_confidence = 0.0;
   const UpAxis found = estimateUpAxis (planes, mean, parameters).value();
