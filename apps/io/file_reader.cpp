@@ -168,7 +168,7 @@ FileReader::failAtWord (const std::string& word) const
   const NumberType& float64 = numberType (pcl::PCLPointField::FLOAT64);
   std::string with_decimal_points = word;
   std::replace (with_decimal_points.begin(), with_decimal_points.end(), ',', '.');
-  std::vector<std::string_view> parts;
+  std::vector<std::string_view> parts; // of "5 2" in 1,5 2,5 3,5 split at commas
   splitWords (with_decimal_points, ' ', parts);
   const bool are_numbers =
       std::all_of (parts.begin(), parts.end(), [&] (std::string_view part) {
@@ -176,7 +176,9 @@ FileReader::failAtWord (const std::string& word) const
         return float64.parse (part, &ignored);
       });
   std::string problem = "which is no number";
-  if (are_numbers && parts.size() > 1)
+  if (are_numbers && parts.size() > 1 && separator_ == ';')
+    problem = "several numbers between semicolons";
+  else if (are_numbers && parts.size() > 1)
     problem = "several numbers between commas; decimal commas are read only where "
               "semicolons separate the numbers";
   else if (are_numbers)

@@ -154,6 +154,7 @@ public:
   setLine (std::string line, char separator)
   {
     line_ = std::move (line);
+    separator_ = separator;
     splitWords (line_, separator, words_);
   }
 
@@ -247,8 +248,9 @@ private:
 
   /** \brief Names of the file and of its format, for messages. */
   std::string file_, format_;
-  /** \brief The current line, and its words. */
+  /** \brief The current line, the separator of \ref setLine, and the line's words. */
   std::string line_;
+  char separator_ = ' ';
   std::vector<std::string_view> words_;
   std::ifstream stream_;
   std::uint64_t file_size_ = 0;

@@ -7,9 +7,9 @@
 #include <glob.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -72,6 +72,18 @@ addPattern (const std::string& pattern, InputFiles& found)
   ::globfree (&matches);
 }
 
+/** \brief Says why a file that does not seem to exist cannot be found.
+ * \param[in] error of fs::status */
+std::string
+reasonNotFound (const std::error_code& error)
+{
+  if (error == std::errc::filename_too_long)
+    return "has a name that is too long; check it";
+  if (error == std::errc::permission_denied) // of a folder above it
+    return "cannot be read; check its permissions";
+  return "does not exist; check the name";
+}
+
 /** \brief Adds the files that a name given by the user stands for. */
 void
 addName (const std::string& name, InputFiles& found)
@@ -83,7 +95,7 @@ addName (const std::string& name, InputFiles& found)
   else if (!fs::exists (status) && isPattern (name))
     addPattern (name, found);
   else if (!fs::exists (status) && !hasCloudExtension (name))
-    found.problems.push_back (name + ": does not exist; check the name");
+    found.problems.push_back (name + ": " + reasonNotFound (error));
   else
     found.files.push_back (name);
 }
@@ -127,10 +139,8 @@ checkReadable (const std::string& file, const std::string& kind)
 {
   std::error_code error;
   const fs::file_status status = fs::status (file, error);
-  if (error == std::errc::filename_too_long)
-    throw WorkError (file, "has a name that is too long; check it");
   if (!fs::exists (status))
-    throw WorkError (file, "does not exist; check the name");
+    throw WorkError (file, reasonNotFound (error));
   if (fs::is_directory (status))
     throw WorkError (file, "is a folder; give " + kind);
   if (!fs::is_regular_file (status))
@@ -142,9 +152,14 @@ readTextFile (const std::string& file, const std::string& kind)
 {
   checkReadable (file, kind);
   std::ifstream stream (file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char> (stream),
-                   std::istreambuf_iterator<char>()};
-  if (!stream)
+  std::string text;
+  std::array<char, 65536> part{};
+  do {
+    stream.read (part.data(), part.size());
+    text.append (part.data(), static_cast<std::size_t> (stream.gcount()));
+  }
+  while (stream);
+  if (!stream.eof())
     throw WorkError (file, "cannot be read; check its permissions");
   return text;
 }

@@ -30,7 +30,8 @@ checkIsOneCloud (const std::string& name);
 
 /** \brief Checks that a file exists and is a regular one.
  * \param[in] kind of the file wanted, "a .json file", for the message
- * \throws WorkError if the file does not exist, or is a folder or a device */
+ * \throws WorkError if the file does not exist, is in a folder that may not be
+ * searched, or is a folder or a device */
 void
 checkReadable (const std::string& file, const std::string& kind);
 
