@@ -90,7 +90,10 @@ def plot_accuracy(name, means, folder):
 
 
 def styles_of(truths, data_sets):
-    """The color of the data set and the line of the number of neighbors of each truth."""
+    """The color of the data set and the line of the number of neighbors of each truth.
+
+    truths: pairs of a name, as of plot_true_planes, and counts
+    """
     names = [name for name, _ in truths]
     neighbors = list(dict.fromkeys(name.rpartition("-k")[2] for name in names))
     return [f"C{data_sets.index(name.partition(',')[0])}o" +
@@ -101,7 +104,8 @@ def styles_of(truths, data_sets):
 def plot_true_planes(truths, bounds, of_paper, file):
     """How many planes a grown truth has, by the points of the smallest that counts.
 
-    truths: by name, the number of all planes and of those of at least each of the bounds.
+    truths: by name, the number of all planes and of those of at least each of the bounds. A
+        name is "DATA_SET, truth grown-kNEIGHBORS", as report_results (report.py) makes it.
     """
     axes = plt.subplots(figsize=(8, 5))[1]
     all_bounds = (MIN_POINTS_OF_PLANE, *bounds)
@@ -232,10 +236,11 @@ CHANGES = ("moved", "turned", "thinned", "jittered", "rounded")  # columns of st
 
 
 def plot_steadiness(rows, folder):
-    """How right and how steady each method is: over its number (scripts/accuracy), the share of
-    points that stay on their plane in the worst tenth of clouds, as a dot at the mean of all
-    changes and a line from the worst to the best change. Of two settings of a method, the one
-    with the higher number."""
+    """How right and how steady each method is: over its number, the share of points that stay on
+    their plane in the worst tenth of clouds, as a dot at the mean of all changes and a line from
+    the worst to the best change. The number is the one of scripts/accuracy over all sets, the
+    higher the better: of F-scores and, for sets without a truth, of the share of points on thin
+    planes less that on thick ones. Of two settings of a method, the one with the higher number."""
     best = {row["detector"].removesuffix(MEASURED): row
             for row in sorted(rows, key=lambda row: float(row["number"]))}
     figure, axes = plt.subplots(figsize=(8.3, 4.2), layout="constrained")
@@ -273,8 +278,9 @@ def labeled_points(file):
 
 
 def colors_like(truth, labels):
-    """The number of a color for each point: that of the true plane with most points of its
-    label, the largest common part first; other labels have numbers behind those of the truth."""
+    """The number of a color for each point: that of the true plane that has most points in common
+    with the plane of the point's label, the largest common part first; other labels have numbers
+    behind those of the truth."""
     colors = np.zeros(labels.max() + 1, dtype=int)
     pairs, counts = np.unique(np.stack([labels, truth]), axis=1, return_counts=True)
     used = {0}
@@ -326,7 +332,7 @@ def from_above(points, center):
     about z, then looking down by 30 degrees. All within 30 m, and at least 20,000 points."""
     distances = np.hypot(*(points - center).T[:2])
     radius = max(30, np.sort(distances)[min(20000, distances.size) - 1])
-    shown = distances < radius
+    shown = distances <= radius
     x, y, z = (points[shown] - center).T
     across, along = 0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x
     return View(shown, across, -0.5 * along - 0.87 * z, 0.87 * along - 0.5 * z)
@@ -404,16 +410,19 @@ def scores_of(folder):
 
 def panels_of_strip(truth, own, scores):
     """The title and the file of the truth and of each method, by the better of its settings."""
+    def score_of(setting):
+        score = scores.get((*truth.parts[-3:-1], setting), np.nan)
+        return -1 if np.isnan(score) else score  # without a score it is below all others
+
     panels = {}
     for name in (*IN_STRIP, *own):
-        settings = [name] if name in own else [name, name + MEASURED]
-        of_setting = {scores.get((*truth.parts[-3:-1], setting), np.nan): setting
-                      for setting in settings if truth.with_name(setting + ".pcd").is_file()}
-        if of_setting:
-            score = np.nanmax([-1, *of_setting])
-            setting = of_setting.get(score, next(iter(of_setting.values())))
+        settings = [setting for setting in ([name] if name in own else [name, name + MEASURED])
+                    if truth.with_name(setting + ".pcd").is_file()]
+        if settings:
+            better = max(settings, key=score_of)
+            score = score_of(better)
             title = NAMES.get(name, name) + (f"\nF {score:.2f}" if score >= 0 else "\n")
-            panels[title] = truth.with_name(setting + ".pcd")
+            panels[title] = truth.with_name(better + ".pcd")
     return panels
 
 
@@ -440,7 +449,8 @@ def plot_strips(_, folder):
         for axes, (title, image) in zip(panels.flat, shown.items()):
             axes.imshow(image)
             axes.set_title(title, fontsize=20, pad=4)
-        save(figure, folder / f"strip-{truth.parent.name}.png")
+        data_set, cloud = truth.parts[-3:-1]
+        save(figure, folder / f"strip-{data_set}-{cloud}.png")
 
 
 def plot_throughput(rows, folder):

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the strips of pictures show: the better setting of a method, and rooms from inside; and
-where the report says that the values of parameters come from.
+"""What the strips of pictures show: the better setting of a method, rooms without the near walls
+that would hide them, and a strip for each cloud; and where the report says that the values of
+parameters come from.
 
 python3 figures_test.py SOURCES: the project's folder.
 """
@@ -33,8 +34,16 @@ def room_seen_all_around():
     return points, np.repeat([FLOOR, WALL, WALL, WALL, WALL], along.size)
 
 
+def write_cloud(file, points, labels):
+    """Writes a PCD as pcl_ops_evaluate does, with the lines of its header that figures.py reads."""
+    rows = np.empty(len(points), dtype=[("position", "<f4", 3), ("label", "<u4")])
+    rows["position"], rows["label"] = points, labels
+    file.write_bytes(b"VIEWPOINT 0 0 0 1 0 0 0\nDATA binary\n" + rows.tobytes())
+
+
 class ValuesOfParameters(unittest.TestCase):
     def test_come_from_the_paper_for_rows_of_its_tables_alone(self):
+        # A mean without a time is that of a user's own detector (report.is_own).
         has_time = {"clouds": 1, "detection_ms": 1.0}
         for method, source in (("ops-3-30", "paper"), ("ops-s1-3-10", "paper"),
                                ("fspf-0.07-0.14", "paper"), ("ops", "default"),
@@ -54,9 +63,30 @@ class Strips(unittest.TestCase):
             scores = {("rooms", "room-1", "ops"): 0.7, ("rooms", "room-1", "pcl-sac"): 0.2,
                       ("rooms", "room-1", "pcl-sac-measured"): 0.4}
             shown = figures.panels_of_strip(cloud / "truth.pcd", [], scores)
+            scores["rooms", "room-1", "pcl-sac-measured"] = float("nan")  # it was stopped
+            shown_of_one = figures.panels_of_strip(cloud / "truth.pcd", [], scores)
         self.assertEqual({title: file.stem for title, file in shown.items()},
                          {"truth\n": "truth", "pcl_ops\nF 0.70": "ops",
                           "PCL SACSegmentation loop\nF 0.40": "pcl-sac-measured"})
+        self.assertEqual(shown_of_one["PCL SACSegmentation loop\nF 0.20"].stem, "pcl-sac")
+
+    def test_clouds_with_the_same_name_have_a_strip_in_each_data_set(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for data_set in ("rooms", "streets"):
+                cloud = folder / "labels" / data_set / "1"
+                cloud.mkdir(parents=True)
+                write_cloud(cloud / "truth.pcd", *room_seen_all_around())
+            figures.plot_strips(None, folder)
+            strips = sorted(file.name for file in folder.glob("*.png"))
+        self.assertEqual(strips, ["strip-rooms-1.png", "strip-streets-1.png"])
+
+    def test_a_view_from_above_has_at_least_20000_points_if_there_are_as_many(self):
+        for count in (3, 20000, 20001):
+            points = np.zeros((count, 3))
+            points[:, 0] = 20 * np.arange(count)  # 30 m around zero there are two
+            shown = figures.from_above(points, np.zeros(3)).shown
+            self.assertEqual(np.count_nonzero(shown), min(count, 20000))
 
     def test_the_walls_of_a_room_do_not_hide_its_floor(self):
         points, labels = room_seen_all_around()

@@ -421,7 +421,7 @@ TEST_F (Report, DrawsPlotsWhereThereIsMatplotlib)
                            "throughput",
                            "steadiness",
                            "figure",
-                           "strip-scan-3000"})
+                           "strip-simulated-scan-3000"})
     EXPECT_GT (contentOf (folder_ / (plot + std::string (".png"))).size(), 1000u)
         << plot;
 }
@@ -499,7 +499,7 @@ TEST_F (ReportOfOwnLabels, DrawsPicturesWhereThereIsMatplotlib)
 {
   if (report_.err.find ("no plots") != std::string::npos)
     GTEST_SKIP() << report_.err;
-  for (const char* plot : {"own/figure.png", "own/strip-scan-3000.png"})
+  for (const char* plot : {"own/figure.png", "own/strip-simulated-scan-3000.png"})
     EXPECT_GT (contentOf (folder_ / plot).size(), 1000u) << plot;
 }
 
