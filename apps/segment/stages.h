@@ -18,9 +18,10 @@ stageFiles ();
 
 /** \brief Creates the folder and writes a cloud and a picture for each stage into it,
  * in one step: after an error it is as before. The clouds have the fields x, y, z and
- * rgb, and value, label (0: no label) or both. Of the regions after joining, the one
- * with most points of a plane has the label of the plane; all others have larger
- * labels.
+ * rgb, and value, label (0: no label) or both. In the stages regions, joined and planes
+ * regions are renumbered: the label of a plane of the result goes to the joined region
+ * that has most of its points and no other plane's label yet; all other regions get
+ * larger labels.
  * \param[in] cloud the points of \p stages, in the frame of the file
  * \param[in] picture draws these points
  * \return a description of the contents for messages

@@ -32,13 +32,14 @@ struct PlaneSample {
 };
 
 /** \brief Reads normal, centroid, number of points and orientation of a plane.
- * \return a plane without inliers
+ * \return a plane without inliers; the number of points is the count of its moments
  * \param[in] plane as \ref planeObject has written it */
 PlaneSegment
 segmentIn (const nlohmann::ordered_json& plane);
 
 /** \brief Samples the points of a survey by the planes in a list (\ref PointSample).
- * Points of planes that are not in the list count as points on no plane.
+ * A point is on the plane whose id is its label; if the list has none, it counts as a
+ * point on no plane.
  * \param[in] list as \ref toJson writes it for joined planes: "points" is the number of
  * points of the survey, "planes" an array of \ref planeObject, each with "moments"
  * \param[in] max_points largest number of points of the sample

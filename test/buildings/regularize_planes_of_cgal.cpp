@@ -89,11 +89,16 @@ TEST (PlaneRegularization, IsNearThatOfCgal)
   for (std::size_t i = 0; i < normals.size(); ++i) {
     EXPECT_LT (angleBetween (found.planes[i].normal, normals[i]), 0.1_deg);
     for (std::size_t j = 0; j < i; ++j) {
-      const double expected = i == j + 3 ? 1.0 : 0.0; // opposite sides or neighbors
+      const bool are_opposite = i == j + 3; // else neighbors
+      const double expected = are_opposite ? 1.0 : 0.0;
       const double cosine = found.planes[i].normal.dot (found.planes[j].normal);
       EXPECT_NEAR (std::abs (cosine), expected, 1e-12);
-      // Without an axis CGAL makes planes parallel, but not orthogonal.
-      EXPECT_NEAR (std::abs (normals[i].dot (normals[j])), expected, 2e-3) << "CGAL's";
+      // Without its symmetry about an axis CGAL does not make neighbors exactly
+      // orthogonal: they are only as orthogonal as the mean normals of opposite sides.
+      // Before CGAL their cosines are about 3.5e-3.
+      const double tolerance = are_opposite ? 1e-12 : 2e-3;
+      EXPECT_NEAR (std::abs (normals[i].dot (normals[j])), expected, tolerance)
+          << "CGAL's";
     }
   }
 }

@@ -292,7 +292,7 @@ TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
     pcl_ops::MergingParameters merging;
     merging.angle_threshold = max_angle;
     joinOverGaps (merging, scene.regions);
-    const bool is_one_region = scene.sizes().at (0) > points_of_square * 6 / 5;
+    const bool is_one_region = scene.sizes().at (0) > max_points_of_one_square;
     EXPECT_EQ (is_one_region, max_angle > 0.2_deg) << max_angle;
   }
 }

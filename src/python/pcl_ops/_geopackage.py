@@ -35,7 +35,7 @@ def geopackage_of(geojson: str, layer: str) -> bytes:
         try:
             database.executescript(_tables_of_all())
             if system > 0:
-                # Readers look the system up by its number, so that it is not described here.
+                # The definition of the system is left out: readers know it by its number.
                 database.execute(
                     "INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES "
                     "(?, ?, 'EPSG', ?, 'undefined', NULL)", (f"EPSG:{system}", system, system))

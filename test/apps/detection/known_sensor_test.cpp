@@ -20,7 +20,7 @@ enum class Cellar { None, BelowHalfOfTheFloor };
 
 /** \brief A floor of 4 m x 4 m at z = -1.5 m and a point of a wall at z = 1 m: the
  * bounding box ends there.
- * \param[in] sensor position of the sensor by the cloud [m]
+ * \param[in] sensor position of the sensor according to the cloud [m]
  * \param[in] cellar half of the floor may be there a second time, 2.5 m lower */
 ShiftedCloud
 floorSeenFrom (const Vector3d& sensor, Cellar cellar = Cellar::None)
