@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
-#include "base/random.h"
+#include "cloud/points.h"
 #include "geometry/inliers.h"
 #include "geometry/planar_area.h"
 #include "planes/planar_ring.h"
 #include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl_ops {
@@ -90,24 +91,44 @@ hullOfAll (const PlanarPoints& points)
   return hull;
 }
 
-/** \brief A convex hull around all but a few percent of the points, from a random
- * sample; empty for up to 2048 points, which are too few for a sample. */
+/** \brief Returns a sample of about \p wanted points, the same for any order of the
+ * points. Their coordinates are rounded to a millionth of the largest one for it: they
+ * differ in their last digits if the cloud has another order. */
+PlanarPoints
+sampleOf (const PlanarPoints& points, std::size_t wanted)
+{
+  constexpr int bits = 20;
+  double largest = 0.0;
+  for (const Eigen::Vector2d& point : points)
+    largest = std::max (largest, point.lpNorm<Eigen::Infinity>());
+  const double scale =
+      largest > 0.0 ? std::ldexp (1.0, bits - std::ilogb (largest)) : 1.0;
+  const auto rounded = [scale] (double coordinate) {
+    return static_cast<float> (std::round (coordinate * scale)) + 0.0F; // no minus zero
+  };
+  Coordinates coordinates;
+  for (const Eigen::Vector2d& point : points)
+    coordinates.add (rounded (point.x()), rounded (point.y()), 0.0F);
+  PlanarPoints sample;
+  for (const std::uint32_t i : sampleIndices (coordinates, wanted))
+    sample.push_back (points[i]);
+  return sample;
+}
+
+/** \brief A convex hull around all but a few percent of the points, from a sample;
+ * empty for up to 2048 points, which are too few for a sample. */
 PlanarPoints
 innerHull (const PlanarPoints& points)
 {
   constexpr std::size_t sample_size = 2048; // chosen by hand
-  // 3 percent of the sample: more than may be outside by default (convexHull).
-  constexpr std::size_t min_outside = sample_size / 32;
   if (points.size() <= sample_size)
     return {};
-  RandomGenerator generator; // with its default seed: the result is always the same
-  PlanarPoints sample;
-  for (std::size_t i = 0; i < sample_size; ++i)
-    sample.push_back (
-        points[drawBelow (generator, static_cast<std::uint32_t> (points.size()))]);
+  PlanarPoints sample = sampleOf (points, sample_size);
+  // 3 percent of the sample: more than may be outside by default (convexHull).
+  const std::size_t max_inside = sample.size() - sample.size() / 32;
   PlanarPoints hull = hullOfAll (sample);
   // Remove corners of the hull until enough of the sample lies outside it.
-  while (!hull.empty() && sample.size() > sample_size - min_outside) {
+  while (!hull.empty() && sample.size() > max_inside) {
     splitOff (sample, depthsWithin (hull, sample), depthOfCorners (hull));
     hull = hullOfAll (sample);
   }

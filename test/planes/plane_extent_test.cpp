@@ -255,6 +255,24 @@ TEST (PlaneExtent, DoesNotDependOnTheOrderOfThePoints)
   EXPECT_EQ (reversed.hull.size(), extent.hull.size());
 }
 
+TEST (ConvexHull, DoesNotDependOnTheOrderOfManyPointsOfWhichSomeStray)
+{
+  constexpr int all = 10'000;
+  constexpr double share_of_strays = 0.012; // a little more than may be outside
+  RandomGenerator generator;
+  for (int scene = 0; scene < 20; ++scene) {
+    PlanarPoints points;
+    for (int i = 0; i < all; ++i) {
+      const double side = i < share_of_strays * all ? 1.3 : 1.0;
+      points.emplace_back (side * (drawUnit (generator) - 0.5),
+                           side * (drawUnit (generator) - 0.5));
+    }
+    const double area = areaOf (convexHull (points));
+    std::reverse (points.begin(), points.end());
+    EXPECT_EQ (areaOf (convexHull (points)), area) << "scene " << scene;
+  }
+}
+
 TEST (PlaneExtent, OfNoPointsIsNothingAndOfEqualOnesAPoint)
 {
   EXPECT_EQ (flatExtent ({}).length, 0.0);
