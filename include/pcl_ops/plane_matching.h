@@ -37,8 +37,10 @@ struct PlaneMatches {
   /** \brief For each current plane, the index of the previous plane it matches, or \ref
    * no_plane. Each previous plane has at most one match. */
   Labels previous;
-  /** \brief The given pose, corrected by the matched planes. */
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  /** \brief The given pose, corrected by the matched planes. Its alignment does not
+   * depend on options of the compiler, such as -mavx2, as that of Eigen's types does.
+   */
+  alignas (64) Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
 /** \brief Matches the planes of a frame with the planes of the frame before.

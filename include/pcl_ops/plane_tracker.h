@@ -88,9 +88,10 @@ private:
   std::optional<std::size_t> memory_;
   std::optional<double> max_distance_;
   std::vector<TrackedPlane> remembered_;
-  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
+  // Aligned alike for all options of the compiler, as PlaneMatches::pose is.
+  alignas (64) Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   /** \brief The uncorrected pose of the last frame. */
-  Eigen::Isometry3d given_pose_ = Eigen::Isometry3d::Identity();
+  alignas (64) Eigen::Isometry3d given_pose_ = Eigen::Isometry3d::Identity();
   std::size_t frames_ = 0;        // number of frames so far
   std::uint32_t last_number_ = 0; // of the plane that was first seen last
 };
