@@ -548,13 +548,16 @@ checkInput (const CloudView& cloud,
             const std::vector<PlaneSegment>& planes,
             const std::vector<PlaneKind>& kinds,
             const Vector3d& up,
-            const FloorPlanParameters& parameters)
+            const FloorPlanParameters& parameters,
+            const Vector3d& shift)
 {
   throwIfWrong (validate (parameters));
   if (planes.size() != kinds.size())
     throw std::invalid_argument ("each plane has to have its kind");
   if (!up.allFinite() || up.isZero (0.0))
     throw std::invalid_argument ("the up axis must be a direction");
+  if (!shift.allFinite())
+    throw std::invalid_argument ("the shift must be finite");
   for (const PlaneSegment& plane : planes)
     checkInliers (cloud, plane);
 }
@@ -609,7 +612,7 @@ findFloorPlan (const CloudView& cloud,
                const FloorPlanParameters& parameters,
                const Eigen::Vector3d& shift)
 {
-  checkInput (cloud, planes, kinds, up, parameters);
+  checkInput (cloud, planes, kinds, up, parameters, shift);
   FloorPlan plan;
   const Eigen::Matrix3d rotation = turnUpright (up);
   plan.to_plan = rotation / parameters.meter;

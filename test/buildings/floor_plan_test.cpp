@@ -1199,6 +1199,14 @@ TEST (FloorPlan, RefusesInvalidParametersAndPlanesOfAnotherCloud)
   wrong.meter = 1e-320;
   EXPECT_THROW (building.plan (wrong), std::invalid_argument);
   const Vector3d up = Vector3d::UnitZ();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW (findFloorPlan (building.cloud,
+                               building.planes,
+                               building.kinds,
+                               up,
+                               {},
+                               Vector3d (nan, 0.0, 0.0)),
+                std::invalid_argument);
   EXPECT_THROW (findFloorPlan (building.cloud, building.planes, {}, up),
                 std::invalid_argument);
   EXPECT_THROW (

@@ -168,8 +168,8 @@ struct FloorPlan {
  * \param[in] shift origin of the cloud's frame in the frame of the planes [unit of the
  * cloud]
  * \throw std::invalid_argument if the parameters are wrong, \p up is zero or not
- * finite, the numbers of kinds and planes differ, or an inlier is not an index into the
- * cloud */
+ * finite, \p shift is not finite, the numbers of kinds and planes differ, or an inlier
+ * is not an index into the cloud */
 PCL_OPS_EXPORT FloorPlan
 findFloorPlan (const CloudView& cloud,
                const std::vector<PlaneSegment>& planes,
