@@ -36,8 +36,9 @@ struct CloudView {
    * \param[in] x_offset bytes from the beginning of a point to its x, a multiple of 4
    * \param[in] point_step bytes from each point to the next, a multiple of 4
    * \param[in] points number of points
-   * \throw std::invalid_argument if the floats are not aligned, if the buffer is null
-   * but has points, or if there are more points than pcl::index_t can count */
+   * \throw std::invalid_argument if the floats are not aligned or not within their
+   * point, if the buffer is null but has points, or if there are more points than
+   * pcl::index_t can count */
   CloudView (const void* data,
              std::size_t x_offset,
              std::size_t point_step,
@@ -52,6 +53,9 @@ struct CloudView {
     if (address % alignof (float) != 0 || point_step % sizeof (float) != 0)
       throw std::invalid_argument (
           "the positions in the buffer must be aligned floats");
+    constexpr std::size_t size_of_position = 3 * sizeof (float);
+    if (points > 0 && x_offset + size_of_position > point_step)
+      throw std::invalid_argument ("a point in the buffer must hold x, y and z");
     if (!data && points > 0)
       throw std::invalid_argument ("the buffer of the positions is null");
     if (points > static_cast<std::size_t> (std::numeric_limits<pcl::index_t>::max()))

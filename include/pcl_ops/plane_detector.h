@@ -74,7 +74,8 @@ public:
   using SearchPtr = typename Search::Ptr;
   using PlanarRegions = detail::PlanarRegions<PointT>;
 
-  /** \brief Finds the planes of the input cloud. Use one detector for each thread.
+  /** \brief Finds the planes of the input cloud. Use one detector for each thread, with
+   * a search of its own where one is set: copies of a detector share it.
    * \param[out] planes sorted by descending number of inliers; empty on failure
    * \return false on failure, which PCL_ERROR reports: no input, empty input, wrong
    * indices or parameters. True with empty output if the cloud has no planes. */

@@ -33,6 +33,14 @@ validate (const DetectorInput& input)
 }
 
 void
+checkNeighbors (const pcl::Indices& neighbors, std::size_t points)
+{
+  for (const pcl::index_t neighbor : neighbors)
+    if (neighbor < 0 || static_cast<std::size_t> (neighbor) >= points)
+      throw std::invalid_argument ("the search returned an index outside the cloud");
+}
+
+void
 throwOn (const std::string& problem)
 {
   if (!problem.empty())

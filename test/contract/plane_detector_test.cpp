@@ -648,6 +648,31 @@ TEST (SearchMethod, GivesTheSamePlanesForAnySearchAndAnyCloudThatWasSetInIt)
   }
 }
 
+/** \brief A search with a bug: it returns the index behind the last point of a cloud.
+ */
+class SearchBeyondTheCloud : public pcl::search::KdTree<pcl::PointXYZ> {
+public:
+  using KdTree::nearestKSearch;
+  int
+  nearestKSearch (const pcl::PointXYZ& point,
+                  int k,
+                  pcl::Indices& indices,
+                  std::vector<float>& squared_distances) const override
+  {
+    const int found = KdTree::nearestKSearch (point, k, indices, squared_distances);
+    indices.back() = static_cast<pcl::index_t> (getInputCloud()->size());
+    return found;
+  }
+};
+
+TEST (SearchMethod, ThatReturnsAnIndexOutsideTheCloudIsRefused)
+{
+  Ops ops = paperOn (room().build().cloud);
+  ops.setSearchMethod (pcl::make_shared<SearchBeyondTheCloud>());
+  std::vector<PlaneSegment> planes;
+  EXPECT_FALSE (ops.segment (planes));
+}
+
 TEST (SearchMethod, MayBeOrganizedNeighborAndDoesNotCrashOnAnUnorganizedCloud)
 {
   Ops ops = paperOn (roomSeenByCamera (160, 120));
@@ -682,12 +707,15 @@ TEST (DetectPlanes, ThrowsForAnEmptyCloudAWrongParameterAndABufferThatIsNoCloud)
   EXPECT_THROW (pcl_ops::CloudView (buffer.data(), offset, stride + 2, number),
                 std::invalid_argument)
       << "the floats are not aligned";
+  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), stride - 8, stride, number),
+                std::invalid_argument)
+      << "y and z would be in the next point";
   EXPECT_THROW (pcl_ops::CloudView (nullptr, 0, stride, number), std::invalid_argument);
   EXPECT_NO_THROW (pcl_ops::CloudView (nullptr, 0, stride, 0)) << "no points";
   constexpr std::size_t too_many_for_indices = std::size_t (1) << 31;
   pcl_ops::CloudView too_large = points;
   too_large.size = too_many_for_indices;
   EXPECT_THROW (detectPlanes (too_large, Parameters()), std::invalid_argument);
-  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), 0, 0, too_many_for_indices),
+  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), 0, stride, too_many_for_indices),
                 std::invalid_argument);
 }

@@ -34,6 +34,12 @@ struct NeighborSearch {
   unsigned threads = 1;
 };
 
+/** \brief Checks what a search of the user has found.
+ * \throw std::invalid_argument for an index outside of the cloud
+ * \param[in] points number of points of the cloud */
+PCL_OPS_EXPORT void
+checkNeighbors (const pcl::Indices& neighbors, std::size_t points);
+
 /** \brief Input of a detector. */
 struct DetectorInput {
   CloudView cloud;

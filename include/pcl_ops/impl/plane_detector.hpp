@@ -29,12 +29,14 @@ detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
                               pcl::Indices& neighbors,
                               std::vector<float>& squared_distances) {
       search->nearestKSearch ((*cloud)[point], k, neighbors, squared_distances);
+      checkNeighbors (neighbors, cloud->size());
     };
     const auto within = [=] (pcl::index_t point,
                              double radius,
                              pcl::Indices& neighbors,
                              std::vector<float>& squared_distances) {
       search->radiusSearch ((*cloud)[point], radius, neighbors, squared_distances);
+      checkNeighbors (neighbors, cloud->size());
     };
     // Only GridSearch and pcl::search::KdTree are known to be thread-safe.
     const std::string& name = search->getName();
