@@ -56,6 +56,13 @@ const Labels each_itself{0, 1, 2, 3, 4};
 
 } // namespace
 
+TEST (PlaneMatches, HaveALayoutThatNoOptionOfTheCompilerChanges)
+{
+  // Eigen aligns its types to 16 to 64 bytes, as -msse2, -mavx2 or -mavx512f ask for.
+  static_assert (alignof (PlaneMatches) == 64);
+  static_assert (alignof (PlaneTracker) == 64);
+}
+
 TEST (MatchPlanes, FindsEachPlaneOfAFrameInItselfInAnyOrder)
 {
   const Planes all = roomCorner();
