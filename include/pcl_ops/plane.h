@@ -182,9 +182,11 @@ struct PCL_OPS_EXPORT PlaneSegment {
    * rms distance of a point's neighborhood to a local plane fit. The neighborhoods are
    * large enough to hold independent errors. The noise of a point is at most 4 times
    * the usual noise at its point density. Only Sampling::Neighborhoods sets it, and
-   * Sampling::Automatic without a voxel size; exact points have no noise. Without a
-   * distance threshold and a merging distance, \ref rms is at most 12 times this value
-   * or .002 of the plane's width, whichever is larger. */
+   * Sampling::Automatic without a voxel size. Exact points have no noise. Points count
+   * as exact if they err by less than about a hundredth of their spacing: their noise
+   * is 0, or .7 of the usual noise of others. Without a distance threshold and a
+   * merging distance, \ref rms is at most 12 times this value or .002 of the plane's
+   * width, whichever is larger. */
   std::optional<double> noise = std::nullopt;
 
   Plane
