@@ -46,26 +46,33 @@ crownedRoad (double height)
 constexpr double slight_crown = 3.5e-2;   // [m]; a slope of 1 degree
 constexpr double crown_of_a_roof = 17e-2; // [m]; a slope of 5 degrees
 
+/** \brief A ground whose points are several regions from left to right.
+ * \param[in] ends where each region but the last one ends along x [m], ascending */
+PlaceScene
+groundDividedAt (const std::vector<double>& ends)
+{
+  PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 2_mm));
+  Region empty = scene.regions.list[0];
+  empty.moments = pcl_ops::Moments();
+  scene.regions.list.assign (ends.size() + 1, empty);
+  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+    const Eigen::Vector3d& position = scene.places.position[i];
+    const auto region =
+        std::lower_bound (ends.begin(), ends.end(), position.x()) - ends.begin();
+    scene.regions.of_place[i] = static_cast<std::int32_t> (region);
+    scene.regions.list[region].moments.add (position.x(), position.y(), position.z());
+  }
+  for (Region& region : scene.regions.list)
+    region.refit();
+  return scene;
+}
+
 /** \brief A ground whose points are two regions, left and right of x = 0.9 m. The right
  * one is larger. */
 PlaceScene
 groundInTwo ()
 {
-  PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 2_mm));
-  Region& left = scene.regions.list[0];
-  scene.regions.list.resize (1);
-  Region right = left;
-  left.moments = right.moments = pcl_ops::Moments();
-  for (std::size_t i = 0; i < scene.places.size(); ++i) {
-    const Eigen::Vector3d& position = scene.places.position[i];
-    const bool is_right = position.x() > 0.9;
-    scene.regions.of_place[i] = is_right ? 1 : 0;
-    (is_right ? right : left).moments.add (position.x(), position.y(), position.z());
-  }
-  left.refit();
-  right.refit();
-  scene.regions.list.push_back (right);
-  return scene;
+  return groundDividedAt ({0.9});
 }
 
 /** \brief For each region 1 if the evidence says that it is a plane, else 0. */
@@ -144,6 +151,26 @@ TEST (GrowRegions, EndAtAGivenDistance)
       << "of 10,000";
 }
 
+TEST (GrowRegions, OfOnePlaceAreAsWideAsTheSupportOfThePlace)
+{
+  // Two places 1 m above each other, each on a level plane of its own.
+  Places places;
+  places.position = {{0, 0, 0}, {0, 0, 1}};
+  places.nearest = {1, 0};
+  places.neighbors_per_place = 1;
+  PlaceNoise noise;
+  noise.of_place = {1e-3f, 1e-3f};
+  ChosenSupports chosen;
+  chosen.normal = {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()};
+  chosen.scatter = {1e-3f, 1e-3f};
+  chosen.width = {0.2f, 0.4f};
+  chosen.is_flat = {1, 1};
+  const Regions regions = growRegions (places, noise, chosen, no_threshold);
+  ASSERT_EQ (regions.list.size(), 2u);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    EXPECT_NEAR (regions.list[regions.of_place[i]].width(), chosen.width[i], 1e-6);
+}
+
 TEST (JoinTouching, MakesOneOfPiecesOfAPlane)
 {
   PlaceScene scene = groundInTwo();
@@ -151,6 +178,58 @@ TEST (JoinTouching, MakesOneOfPiecesOfAPlane)
   EXPECT_EQ (scene.sizes(), std::vector<std::size_t>{scene.places.size()});
   // The right region took the left one.
   EXPECT_EQ (scene.regions.of_place, pcl_ops::Labels (scene.places.size(), 1));
+}
+
+TEST (JoinTouching, MakesOneOfPiecesOfWhichSomeTouchTheLargestOnlyThroughOthers)
+{
+  // From left to right the pieces are larger: the middle one joins the right one first.
+  PlaceScene scene = groundDividedAt ({0.4, 1.0});
+  joinTouching (scene.places, one_thread, scene.regions);
+  EXPECT_EQ (scene.regions.of_place, Labels (scene.places.size(), 2));
+}
+
+TEST (JoinTouching, PicksTheRegionThatMostPlacesTouchHoweverManyNeighborsTheyHave)
+{
+  // Four places on the ridge of a roof, which are on both of its slopes. Two of them
+  // have neighbors on the left slope, four in all; three have one on the right slope.
+  constexpr std::int32_t ridge = 0, left = 1, right = 2;
+  Regions regions;
+  regions.list.resize (3);
+  for (int i = 0; i < 10; ++i) {
+    const double y = 0.1 * i;
+    if (i < 4)
+      regions.list[ridge].moments.add (0.0, y, 0.0);
+    for (int j = 0; j < 10; ++j) {
+      const double below = 0.1 * j + 5_cm;
+      regions.list[left].moments.add (-below, y, -below);
+      regions.list[right].moments.add (below, y, -below);
+    }
+  }
+  for (Region& region : regions.list) {
+    region.noise = region.scatter = 1_mm;
+    region.refit();
+  }
+  Places places;
+  places.position = {{0, 0, 0}, {0, 0.1, 0}, {0, 0.2, 0}, {0, 0.3, 0}}; // the ridge
+  for (const double side : {-1.0, 1.0})
+    for (int i = 0; i < 4; ++i)
+      places.position.emplace_back (side * 5_cm, 0.1 * i, -5_cm);
+  regions.of_place = {
+      ridge, ridge, ridge, ridge, left, left, left, left, right, right, right, right};
+  places.neighbors_per_place = 3;
+  const std::vector<Indices> nearest_of_ridge = {
+      {4, 5, 6}, {5, 9, 0}, {10, 1, 3}, {11, 2, 1}};
+  const std::vector<Indices> nearest_of_left = {
+      {5, 6, 7}, {4, 6, 7}, {5, 7, 4}, {6, 5, 4}};
+  const std::vector<Indices> nearest_of_right = {
+      {9, 10, 11}, {8, 10, 11}, {9, 11, 8}, {10, 9, 8}};
+  for (const auto& nearest_of_places :
+       {nearest_of_ridge, nearest_of_left, nearest_of_right})
+    for (const Indices& nearest : nearest_of_places)
+      places.nearest.insert (places.nearest.end(), nearest.begin(), nearest.end());
+  joinTouching (places, one_thread, regions);
+  EXPECT_EQ (regions.of_place[0], right);
+  EXPECT_EQ (regions.of_place[4], left) << "a slope does not join the other one";
 }
 
 TEST (JoinTouching, LeavesWallsThatMeetAlone)
