@@ -93,6 +93,30 @@ TEST (DepthLevels, MayBeRoundedInATurnedFrame)
   EXPECT_GT (steps_near_1_cm, points.size() * 9 / 10);
 }
 
+TEST (DepthLevels, MayBeRoundedInAnyFrameThoughTheyAre8MetersLong)
+{
+  // A wall of 2 m x 8 m. At an end of its levels a direction that is off by a tenth of
+  // a degree is off by 7 mm, the step from one level to the next.
+  Coordinates points = drawnOn ({{{-1, -4, 4.8}, {2, 0, 0.2}, {0, 8, 0.2}}}, 12_mm, 0);
+  for (float& z : points.z)
+    z = static_cast<float> (7_mm * std::round (z / 7_mm));
+  RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 6; ++i) {
+    const Eigen::Quaterniond turn = drawTurn (generator);
+    Coordinates rounded;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Eigen::Vector3d point = turn * points[k];
+      const auto coordinate = [&point] (int axis) {
+        return static_cast<float> (1_mm * std::round (point[axis] / 1_mm));
+      };
+      rounded.add (coordinate (0), coordinate (1), coordinate (2));
+    }
+    const DepthLevels levels = levelsOf (rounded);
+    ASSERT_FALSE (levels.step.empty()) << turn.coeffs().transpose();
+    EXPECT_NEAR (levels.step[0], 7_mm, 1_mm);
+  }
+}
+
 TEST (DepthLevels, AreNotSeenInNoiseFacesFewPointsGridsOrAFloor)
 {
   // White noise.
