@@ -129,6 +129,31 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
       correlated (2, 2) / independent (2, 2), measured_factor * measured_factor, 1.0);
 }
 
+TEST (PlaneCovariance, OfACloudCountsPointsThatErrAlikeInASixtyFourthOfThePlaneOnce)
+{
+  // A level plane of 8 m x 8 m. On each square meter points are at one height.
+  const auto covarianceOf = [] (int points_per_side) { // of a square meter
+    RandomGenerator generator (seedOfTest());
+    Cloud cloud;
+    for (int column = 0; column < 8; ++column)
+      for (int row = 0; row < 8; ++row) {
+        const double height = 1_cm * drawGaussian (generator);
+        for (int i = 0; i < points_per_side; ++i)
+          for (int j = 0; j < points_per_side; ++j)
+            cloud.push_back (toPoint ({column + (i + 0.5) / points_per_side,
+                                       row + (j + 0.5) / points_per_side,
+                                       height}));
+      }
+    const PlaneSegment plane = planeOfPoints (
+        cloud, upTo<pcl::Indices> (cloud.size()), Eigen::Vector3d::UnitZ());
+    return planeCovariance (cloud, plane)->matrix;
+  };
+  const Eigen::Matrix3d of_one_point = covarianceOf (1);
+  const Eigen::Matrix3d of_sixteen_points = covarianceOf (4);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR (of_sixteen_points (i, i) / of_one_point (i, i), 1.0, 20_percent);
+}
+
 TEST (PlaneCovariance, TellsInliersApartThatAreFarFromThePlane)
 {
   // The moments are those of a board of some meters. The inliers are thousands of
