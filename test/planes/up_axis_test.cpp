@@ -228,6 +228,26 @@ TEST (UpAxis, IsWhereARoomExtendsLeast)
   EXPECT_LT (found.confidence, 0.9);
 }
 
+TEST (UpAxis, IsWhereMostPlanesAreVerticalIfAsManyFaceOtherWays)
+{
+  // Three squares of 2 m x 2 m that cross in their middle, where the sensor is, each
+  // across one of the axes; and four wings of a revolving door about the z axis, which
+  // are 1 m high and stand across neither x nor y. The first square faces up.
+  const Vector3d middle = Vector3d::Zero();
+  std::vector<PlaneSegment> planes{
+      seenFrom (middle, {{-1, -1, 0}, {0, 2, 0}, {2, 0, 0}}),
+      seenFrom (middle, {{0, -1, -1}, {0, 2, 0}, {0, 0, 2}}),
+      seenFrom (middle, {{-1, 0, -1}, {0, 0, 2}, {2, 0, 0}})};
+  for (const double degrees : {30.0, 60.0, 120.0, 150.0}) {
+    const Vector3d along =
+        Eigen::AngleAxisd (degrees * 1_deg, up) * Vector3d (1.4, 0, 0);
+    planes.push_back (seenFrom (middle, {-0.5 * (along + up), along, up}));
+  }
+  UpAxisParameters parameters;
+  parameters.min_confidence = 0.0;
+  expectUp (estimateUpAxis (planes, middle, parameters).value(), 0.1_deg);
+}
+
 TEST (UpAxis, CannotBeToldInTheCornerOfACube)
 {
   // Seen along the diagonal, each of the three faces may be the floor.
