@@ -344,6 +344,20 @@ TEST (WallFaces, AreLeavesThoughTheFrameCoversTheirRim)
       1u);
 }
 
+TEST (WallFaces, AreLeavesThoughTheyAreOnly28CentimetersWideAndHigh)
+{
+  // A window pane in a gap of 40 cm, 10 cm behind the wall.
+  PlanPoints points, of_pane;
+  addUpright (0.0, 0.0, 1.8, points);
+  addUpright (0.0, 2.2, 4_m, points);
+  for (double x = 1.86; x < 2.145; x += 1_cm)
+    for (double z = 1.06; z < 1.345; z += 1_cm)
+      of_pane.emplace_back (x, -0.1, z);
+  EXPECT_EQ (
+      withoutRecesses ({faceAlongX (points, 0), faceAlongX (of_pane, 1)}, {}).size(),
+      1u);
+}
+
 TEST (WallFaces, AreNoLeavesLessThan2CentimetersBehindOrMoreThan45)
 {
   // The number of walls among a wall with a gap and a leaf this far behind the gap.
@@ -407,4 +421,32 @@ TEST (WallFaces, AreNoLeavesIfWallsThatFaceThemStandAtBothEndsOfTheGap)
   EXPECT_EQ (facesAlongX (true, true, no_lintel), 2) << "the end of another room";
   EXPECT_EQ (facesAlongX (true, false, no_lintel), 1) << "a door beside a corner";
   EXPECT_EQ (facesAlongX (true, true, 2.05), 1) << "a door at the end of a corridor";
+}
+
+TEST (WallFaces, AreLeavesIfAWallAtAnAngleMeetsTheirLineFarFromTheirEnd)
+{
+  // The number of faces along x among a wall with a gap from x = 1 m to 2 m, a face
+  // 20 cm behind it, a wall across its right end, and one at 45 degrees to its left
+  // that crosses its line at a distance from its left end.
+  const auto facesAlongX = [] (double distance) {
+    PlanPoints behind, left, right;
+    addUpright (-0.2, 1_m, 2_m, behind);
+    for (double step = 0.0; step < 2.0; step += 1_cm)
+      for (double z = 0.025; z < 2.0; z += 5_cm) {
+        left.emplace_back (1.0 - distance - step, -0.2 + step, z);
+        right.emplace_back (2.0, -0.2 + step, z);
+      }
+    constexpr double no_lintel = 9_m;
+    const std::vector<WallFace> walls =
+        withoutRecesses ({faceAlongX (wallWithGap (no_lintel), 0),
+                          faceAlongX (behind, 1),
+                          faceOf ({1, 1, 0}, left, 2, height_of_cut),
+                          faceOf ({-1, 0, 0}, right, 3, height_of_cut)},
+                         {});
+    return std::count_if (walls.begin(), walls.end(), [] (const WallFace& face) {
+      return face.line.along.x() > 0.9;
+    });
+  };
+  EXPECT_EQ (facesAlongX (10_cm), 2) << "the end of another room";
+  EXPECT_EQ (facesAlongX (40_cm), 1) << "25 cm at most are closed";
 }
