@@ -424,6 +424,19 @@ TEST (ResultWarnings, SayWhichSamplingRatePutsPointsOnPlanes)
   EXPECT_TRUE (contains (text, " give --sampling-rate 0.3"));
 }
 
+TEST (ResultWarnings, SayWhichSamplingRatePutsPointsOnPlanesThoughABushWasTakenForOne)
+{
+  LabeledPlaneScene garden;
+  garden.add (floor_of_room, 1000, 2_mm);
+  garden.add ({{9, 9, 1}, {1, 0.1, 0}, {-0.1, 1, 0}}, 2000, 50_cm);
+  garden.addUnassigned ({{1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm);
+  garden.addUnassigned ({{1.1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm);
+  ResultContext context;
+  context.search = OrientedPointSamplingParameters();
+  ASSERT_EQ (garden.codes (context), "unassigned-points");
+  EXPECT_TRUE (contains (garden.firstText (context), " give --sampling-rate 0.3"));
+}
+
 TEST (ResultWarnings, DoNotCallTheObserverOfTheSearch)
 {
   ResultContext context;
