@@ -94,13 +94,42 @@ ringsOf (const PlanarPoints& points, double alpha)
 
 /** \brief The corners of a ring without those within \p tolerance of a line between
  * others. */
-PlanarPoints
+Ring
 cornersOf (const Ring& ring, double tolerance)
 {
   Ring corners;
   geometry::simplify (ring, corners, tolerance);
   geometry::correct (corners);
   return corners;
+}
+
+/** \brief Moves the corners of a hole that lie on another ring into the hole, by a
+ * millionth of the sides beside them: meshes need rings that do not touch.
+ * \param[in] rings all rings, counter-clockwise
+ * \param[in] hole index of the hole
+ * \return the corners of the hole, counter-clockwise */
+PlanarPoints
+detached (const std::vector<Ring>& rings, std::size_t hole)
+{
+  constexpr double share_of_sides = 1e-6;
+  const PlanarPoints& corners = rings[hole];
+  PlanarPoints moved = corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    bool touches = false;
+    for (std::size_t other = 0; other < rings.size(); ++other)
+      touches |= other != hole && geometry::covered_by (corners[i], rings[other]) &&
+                 !geometry::within (corners[i], rings[other]);
+    if (!touches)
+      continue;
+    const Eigen::Vector2d to_last =
+        corners[(i + corners.size() - 1) % corners.size()] - corners[i];
+    const Eigen::Vector2d to_next = corners[(i + 1) % corners.size()] - corners[i];
+    // Where the hole is wider than half a turn, it is opposite to its neighbor corners.
+    const double turn = to_next.x() * to_last.y() - to_next.y() * to_last.x();
+    const double inwards = turn > 0.0 ? 1.0 : -1.0;
+    moved[i] += share_of_sides * inwards * 0.5 * (to_last + to_next);
+  }
+  return moved;
 }
 
 /** \brief The first ring as outline, and the rings inside it as its holes, clockwise;
@@ -122,9 +151,12 @@ withHoles (const std::vector<Ring>& rings, double min_hole_area, double toleranc
     if (is_hole)
       holes.push_back (*ring);
   }
-  PlanarRings outline = {cornersOf (rings.front(), tolerance)};
-  for (const Ring& hole : holes) {
-    outline.push_back (cornersOf (hole, tolerance));
+  std::vector<Ring> simple = {cornersOf (rings.front(), tolerance)};
+  for (const Ring& hole : holes)
+    simple.push_back (cornersOf (hole, tolerance));
+  PlanarRings outline = {simple.front()};
+  for (std::size_t hole = 1; hole < simple.size(); ++hole) {
+    outline.push_back (detached (simple, hole));
     std::reverse (outline.back().begin(), outline.back().end());
   }
   return outline;

@@ -4,6 +4,7 @@
 #include "planes/planar_ring.h"
 #include "scene.h"
 #include <pcl_ops/surface/concave_hull.h>
+#include <pcl_ops/surface/triangulation.h>
 
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
@@ -226,6 +227,35 @@ TEST (ConcaveOutline, OfRoundedCoordinatesHasNoHoles)
     ASSERT_EQ (outline.size(), 1u) << step;
     EXPECT_NEAR (areaOf (outline[0]), 2.0, 1e-9) << step;
   }
+}
+
+TEST (ConcaveOutline, OfPlatesWithRoundHolesCanBeTriangulated)
+{
+  // Some of the holes come so near to each other or to the rim that both have a point.
+  constexpr int holes = 4, points_of_plate = 3000;
+  RandomGenerator generator;
+  const auto drawPosition = [&] (double side) {
+    return Eigen::Vector2d (side * (drawUnit (generator) - 0.5),
+                            side * (drawUnit (generator) - 0.5));
+  };
+  int with_holes = 0;
+  for (int plate = 0; plate < 60; ++plate) {
+    PlanarPoints centers (holes);
+    for (Eigen::Vector2d& center : centers)
+      center = drawPosition (1.4);
+    PlanarPoints points;
+    while (points.size() < points_of_plate) {
+      const Eigen::Vector2d point = drawPosition (2.0);
+      if (std::none_of (centers.begin(), centers.end(), [&] (const auto& center) {
+            return (point - center).norm() < 0.3;
+          }))
+        points.push_back (point);
+    }
+    const PlanarRings rings = concaveOutline (points);
+    with_holes += rings.size() > 1 ? 1 : 0;
+    EXPECT_FALSE (triangulate (rings).empty()) << "plate " << plate;
+  }
+  EXPECT_GT (with_holes, 20);
 }
 
 TEST (ConcaveOutline, HasHolesByFallingArea)
