@@ -40,12 +40,13 @@ struct Patch {
 
 /** \brief Returns the rectangle over which evenly spread points have the mean and the
  * variances of the points of a plane.
- * \return nothing for fewer than three points, or if all are equal or on one line */
+ * \return nothing for fewer than three points, if all are equal or on one line, or if
+ * the normal is not finite */
 inline std::optional<Patch>
 patchOf (const PlaneSegment& plane)
 {
   const std::optional<PlaneFit> fit = fitPlane (plane.moments);
-  if (!fit)
+  if (!fit || !plane.normal.allFinite())
     return std::nullopt;
   const Eigen::Matrix3d covariance = plane.moments.covariance();
   // The normal of the segment, not of the fit: it defines the plane that the user has.

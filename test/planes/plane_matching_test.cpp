@@ -5,6 +5,7 @@
 #include <pcl_ops/plane_matching.h>
 #include <pcl_ops/plane_tracker.h>
 
+#include <limits>
 #include <stdexcept>
 
 using namespace pcl_ops;
@@ -422,6 +423,16 @@ TEST (PlaneTracker, ForgetsPlanesWhosePointsSpanNoneAfterTheirFrame)
   }
   tracker.track ({}, no_motion);
   EXPECT_EQ (tracker.planes().size(), 1u) << "the floor";
+}
+
+TEST (PlaneTracker, ForgetsPlanesWithoutANormalAfterTheirFrame)
+{
+  PlaneSegment wrong = roomCorner()[0];
+  wrong.normal.setConstant (std::numeric_limits<double>::quiet_NaN());
+  PlaneTracker tracker;
+  tracker.track ({wrong}, no_motion);
+  tracker.track ({}, no_motion);
+  EXPECT_TRUE (tracker.planes().empty());
 }
 
 TEST (PlaneTracker, KeepsAPlaneAsLongAsACornerOfItMayBeWithinTheDistance)
