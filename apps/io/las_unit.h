@@ -38,15 +38,16 @@ toldByCrs (LasFile& las,
            Answer (*in_keys) (const std::string& directory))
 {
   constexpr unsigned wkt_bit = 0x10;
-  const auto told = [&las] (const std::optional<LasVlr>& record, auto in_record) {
-    return record ? in_record (las.bytes (record->content, record->end)) : Answer();
-  };
-  const bool is_wkt_first = (las.header.global_encoding & wkt_bit) != 0;
-  const Answer first =
-      is_wkt_first ? told (las.wkt, in_wkt) : told (las.geo_keys, in_keys);
-  if (first != Answer())
-    return first;
-  return is_wkt_first ? told (las.geo_keys, in_keys) : told (las.wkt, in_wkt);
+  Answer by_wkt{};
+  if (las.wkt)
+    by_wkt = in_wkt (las.bytes (las.wkt->content, las.wkt->end));
+  Answer by_keys{};
+  if (las.geo_keys)
+    by_keys = in_keys (las.bytes (las.geo_keys->content, las.geo_keys->end));
+  const bool does_wkt_count = (las.header.global_encoding & wkt_bit) != 0;
+  const Answer& preferred = does_wkt_count ? by_wkt : by_keys;
+  const Answer& other = does_wkt_count ? by_keys : by_wkt;
+  return preferred != Answer() ? preferred : other;
 }
 
 /** \brief The unit of coordinates by the reference system of a file. */

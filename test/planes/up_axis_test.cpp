@@ -32,6 +32,18 @@ seenFrom (const Vector3d& sensor, const Surface& surface, double unit = 1.0)
   return plane;
 }
 
+/** \brief The up axis by faces that a sensor sees, however low its confidence is. */
+UpAxis
+upAxisSeenFrom (const Vector3d& sensor, const std::vector<Surface>& faces)
+{
+  std::vector<PlaneSegment> planes;
+  for (const Surface& face : faces)
+    planes.push_back (seenFrom (sensor, face));
+  UpAxisParameters parameters;
+  parameters.min_confidence = 0.0;
+  return estimateUpAxis (planes, sensor, parameters).value();
+}
+
 /** \brief Position of the sensor in \ref furnishedRoom. */
 const Vector3d eye (0.5_m, 2_m, 1.4_m);
 const Surface room_floor{{0, 0, 0}, {6, 0, 0}, {0, 4, 0}};
@@ -199,12 +211,7 @@ TEST (UpAxis, IsWhereTheSensorLooksLeastInTheCornerOfACube)
   const Vector3d mean = Vector3d::Constant (2.0 / 3.0); // of all points
   // The sensor looks along all three edges, but along z a quarter less.
   const Vector3d viewpoint = mean + Vector3d (1, 1, 0.75);
-  const std::vector<PlaneSegment> planes{seenFrom (viewpoint, faces[0]),
-                                         seenFrom (viewpoint, faces[1]),
-                                         seenFrom (viewpoint, faces[2])};
-  UpAxisParameters parameters;
-  parameters.min_confidence = 0.0;
-  const UpAxis found = estimateUpAxis (planes, viewpoint, parameters).value();
+  const UpAxis found = upAxisSeenFrom (viewpoint, faces);
   expectUp (found, 0.1_deg);
   EXPECT_GT (found.confidence, 0.55);
   EXPECT_LT (found.confidence, 0.8);
@@ -218,11 +225,7 @@ TEST (UpAxis, IsWhereARoomExtendsLeast)
                                    {{0, 0, 0}, {0, 2, 0}, {0, 0, 1.6}},
                                    {{0, 0, 0}, {0, 0, 1.6}, {2, 0, 0}}};
   const Vector3d mean (0.69, 0.69, 0.49);
-  const std::vector<PlaneSegment> planes{
-      seenFrom (mean, faces[0]), seenFrom (mean, faces[1]), seenFrom (mean, faces[2])};
-  UpAxisParameters parameters;
-  parameters.min_confidence = 0.0;
-  const UpAxis found = estimateUpAxis (planes, mean, parameters).value();
+  const UpAxis found = upAxisSeenFrom (mean, faces);
   expectUp (found, 0.1_deg);
   EXPECT_GT (found.confidence, 0.6);
   EXPECT_LT (found.confidence, 0.9);
